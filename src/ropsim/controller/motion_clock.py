@@ -1,4 +1,4 @@
-"""The motion clock walks through references at any rate up to that of the plan."""
+"""The motion clock advances along references at any rate up to that of the plan."""
 
 import math
 from functools import lru_cache
@@ -29,11 +29,11 @@ Ask for an override from 0 to 1, and give `ClockLimits` numbers above 0.
 
 
 class ClockError(RopsimError):
-    """A motion clock was asked for what it cannot do."""
+    """An invalid request to a motion clock."""
 
 
 class Rows(Protocol):
-    """The references of a motion at control ticks of motion time, computed when they are asked for."""
+    """The references of a motion at control ticks of motion time, computed on request."""
 
     @property
     def count(self) -> int:
@@ -50,7 +50,7 @@ class ClockState:
     """Where a motion is, at one control tick. Undisturbed, the rate is 1 and does not change.
 
     Attributes:
-        place: motion time in control ticks, 0 to the number of the last row; whole until somebody intervenes.
+        place: motion time in control ticks, 0 to the number of the last row; whole until an intervention.
         rate: motion time that passes per time, 0..1.
         change: of the rate [1/s].
     """
@@ -70,7 +70,7 @@ class ClockLimits:
         acceleration: greatest joint accelerations [rad/s² | m/s²], shape (n,).
 
     Raises:
-        ClockError: C610, where one of them is not above 0; change and jerk are finite, too.
+        ClockError: C610, where one of them is not above 0; change and jerk are also finite.
     """
 
     change: float
@@ -78,7 +78,7 @@ class ClockLimits:
     acceleration: Array
 
     def __post_init__(self) -> None:
-        """Refuse what no clock can keep."""
+        """Refuse limits that no clock can keep."""
         finite = math.isfinite(self.change) and math.isfinite(self.jerk)
         if not (finite and self.change > 0.0 and self.jerk > 0.0 and bool((self.acceleration > 0.0).all())):
             found = f"change {self.change:g}, jerk {self.jerk:g}, acceleration {self.acceleration}"
@@ -88,7 +88,7 @@ class ClockLimits:
 def advance(
     state: ClockState, rows: Rows, ticks: int, override: float, limits: ClockLimits, period: float
 ) -> tuple[ClockState, JointReference]:
-    """Walk on for some control ticks and return the references on the way.
+    """Advance by some control ticks and return the references on the way.
 
     With motion time φ, rate w = dφ/dt and its change c = dw/dt the references are q(φ), q'·w and
     q''·w² + q'·c. The rate goes to the override in least time, within change and jerk, and never beyond it.
@@ -105,8 +105,8 @@ def advance(
     Args:
         state: where the motion is.
         rows: its references.
-        ticks: how many to walk on, 1 or more.
-        override: rate that is asked for, 0 (hold) to 1, from now on.
+        ticks: number of ticks, 1 or more.
+        override: rate that is requested, 0 (hold) to 1, from now on.
         limits: of the rate.
         period: of a control tick [s].
 
@@ -132,12 +132,12 @@ def advance(
 
 
 def undisturbed(state: ClockState, rows: Rows, ticks: int) -> tuple[ClockState, JointReference]:
-    """Walk on from a row at full rate: the next rows themselves; behind the last one the motion stands.
+    """Advance from a row at full rate: the next rows themselves; behind the last one the motion stands.
 
     Args:
         state: where the motion is; its place is whole, its rate 1 and does not change.
         rows: its references.
-        ticks: how many to walk on, 1 or more.
+        ticks: number of ticks, 1 or more.
 
     Returns:
         as `advance`.
@@ -157,7 +157,7 @@ def undisturbed(state: ClockState, rows: Rows, ticks: int) -> tuple[ClockState, 
 def _walked(
     state: ClockState, rows: Rows, ticks: int, override: float, limits: ClockLimits, period: float
 ) -> tuple[ClockState, JointReference]:
-    """Return what the compiled loop makes of the rows that it can come to or looks ahead to."""
+    """Return the result of the compiled loop on the rows within reach and look-ahead."""
     first, step = int(state.place), limits.jerk * period
     last = min(first + ticks + _lookahead(state, ticks, override, limits, step) + 2, rows.count)
     given, many = rows.rows(first, last), last - first
@@ -171,7 +171,7 @@ def _walked(
 
 
 def _lookahead(state: ClockState, ticks: int, override: float, limits: ClockLimits, step: float) -> int:
-    """Return in how many ticks full jerk takes any change to 0 that comes about within so many ticks."""
+    """Return the number of ticks in which full jerk reduces to 0 any change built up within `ticks`."""
     now = abs(state.change)
     if state.rate == override and now == 0.0:
         return 0
@@ -180,14 +180,14 @@ def _lookahead(state: ClockState, ticks: int, override: float, limits: ClockLimi
 
 
 class _Bench(NamedTuple):
-    """What calls share, so that arrays are looked up once; nothing of it lasts from one call to the next.
+    """Arrays shared by calls; their contents do not persist between calls.
 
     Attributes:
         q: coordinates of the rows that are known, as `qd` and `qdd` their derivatives.
         qd: [rad/s | m/s].
         qdd: [rad/s² | m/s²].
         limits: of the joint accelerations [rad/s² | m/s²].
-        out: what becomes of them.
+        out: results.
         walk: the compiled loop on these arrays.
     """
 

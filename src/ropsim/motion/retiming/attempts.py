@@ -14,7 +14,7 @@ from ropsim.spatial import Array
 
 _AT_PLACES = 6
 _BETWEEN = 2e-7
-"""Share of a rate that is left for what speeds are beyond their limits between two places."""
+"""Share of a rate that is reserved for speeds beyond their limits between two grid points."""
 _ENDLESS = 1e100
 
 
@@ -22,7 +22,7 @@ class Attempts:
     """Courses through m places of a motion, as fast as shares of its limits allow.
 
     Args:
-        asked: what the motion asks of joints and paths at the places.
+        asked: constraint rows of the motion at the grid points.
         planned: the same, or without torque, which then does not count.
         places: motion times [s], rising from 0 to the end, shape (m,).
         period: of the control ticks [s].
@@ -55,7 +55,7 @@ class Attempts:
         self._go()
 
     def keep_at_places(self, more: float) -> None:
-        """Give up what speed, acceleration and jerk at the places themselves tell: few ticks lack more then.
+        """Reduce by the excess of speed, acceleration and jerk at grid points: few ticks then exceed more.
 
         Args:
             more: taken off beyond each lack, as a share.
@@ -86,7 +86,7 @@ def course_below(places: Array, x: Array, lasting: Array, width: Array) -> tuple
 
     Args:
         places: motion times [s], rising, shape (m,).
-        x: squares of rates; these are nowhere exceeded, but for the least rate that counts, shape (m,).
+        x: squares of rates; these are nowhere exceeded, except for the least rate that counts, shape (m,).
         lasting: real times that windows last at least, see `window_times` [s], shape (m,).
         width: factor of the windows, shape (m,).
     """
@@ -100,7 +100,7 @@ def window_times(asked: ConstraintRows, longest: float) -> Array:
     """Return how long windows last, so that jerk limits let accelerations swing in them [s], shape (m,).
 
     Args:
-        asked: what the plan asks of joints and paths.
+        asked: constraint rows of the plan.
         longest: bound of the result [s].
     """
     bounds, ways = asked.bounds, asked.ways

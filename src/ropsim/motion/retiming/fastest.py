@@ -22,7 +22,7 @@ class Speeds:
     """The greatest squared speeds at the m places of a path of n joints and r paths.
 
     Args:
-        asked: what the path asks of joints and paths.
+        asked: constraint rows of the path.
         steps: ways from place to place, shape (m - 1,).
     """
 
@@ -46,8 +46,8 @@ class Speeds:
         Args:
             caps: bounds of x, shape (m,).
             near: x at which the torques are taken first, shape (m,).
-            share: what is used of the bounds of acceleration, in ]0, 1], shape (m,).
-            spared: what is used of the torque that `still` leaves, in ]0, 1], shape (m,).
+            share: utilisation of the bounds of acceleration, in ]0, 1], shape (m,).
+            spared: utilisation of the torque that `still` leaves, in ]0, 1], shape (m,).
         """
         n, lower, upper, asked = self._along, self._lower, self._upper, self._asked
         bound(self._most, share, caps, 1.0 + SLACK, self._before, lower, upper, self._same)
@@ -89,7 +89,7 @@ def time_optimal(
     Args:
         points: the path on a grid of its parameter s, m >= 2 places, and its derivatives by s.
         step: of the grid.
-        bounds: of the joints; jerk is not looked at.
+        bounds: of the joints; jerk is ignored.
         effort: torques at the joints, affine in accelerations; None where they do not count.
 
     Returns:

@@ -8,7 +8,8 @@ from ropsim.spatial import Array
 _INSIDE = 0.9
 """Share of a rate by which it may change towards a third of a cell, so that it stays above 0 in between.
 
-The mean rate is then at least (2 - share)/2 of that at the ends, and a cell lasts so much longer at most.
+The mean rate is then at least (2 - share)/2 of that at the ends, and a cell lasts longer by at most that
+factor.
 """
 
 
@@ -85,7 +86,7 @@ def timed(places: Array1, rates: Array1, changes: Array1, times: Array1) -> None
     Args:
         places: motion times of the knots [s], rising, shape (m,), m >= 2.
         rates: in ]0, 1], shape (m,).
-        changes: d²φ/dt² [1/s]; those that would lead a rate out of ]0, 1] are brought down, shape (m,).
+        changes: d²φ/dt² [1/s]; changes that would lead a rate out of ]0, 1] are reduced, shape (m,).
         times: become real times [s], from 0 on, shape (m,).
     """
     last = places.shape[0] - 1
@@ -111,7 +112,7 @@ def timed(places: Array1, rates: Array1, changes: Array1, times: Array1) -> None
 
 _ENDLESS = math.inf
 AT_ONCE = 16
-"""Ticks whose numbers are looked at as one row."""
+"""Ticks whose numbers are processed as one row."""
 WORST, REST, FIRST_LIMIT, ROWS_OF_WALK = 0, 1, 2, 5
 """Rows to work in: the most that was found of each column so far, zeros, and limits of all columns."""
 MOST, ROWS_OF_LOAD = 1, 2
@@ -122,7 +123,7 @@ MOST, ROWS_OF_LOAD = 1, 2
 def walk_at(
     first: Array2, second: Array2, course: Array2, limits: Array2, room: Array2, out: Array2, beyond: Array1
 ) -> None:
-    """Write speeds and accelerations at k control ticks, as `by_real_time` does, and what is beyond limits.
+    """Write speeds and accelerations at k control ticks, as `by_real_time` does, and excesses over limits.
 
     Args:
         first: first derivatives by motion time, shape (k, n).

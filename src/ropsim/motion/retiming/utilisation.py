@@ -1,4 +1,4 @@
-"""What a motion uses of the limits, at control ticks."""
+"""Utilisation of the limits by a motion, at control ticks."""
 
 from dataclasses import dataclass
 
@@ -27,13 +27,13 @@ ROUNDING = 1e-9
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Going:
-    """How a path is gone at k control ticks.
+    """Rate of a path and its changes at k control ticks.
 
     Attributes:
         points: the joints by motion time, k rows.
-        ways: paths with limits of their own, likewise.
+        ways: paths with separate limits, at the same ticks.
         course: motion times [s], rates, and changes of these [1/s], shape (3, k).
-        places: motion times between which lacks are told [s], rising, shape (m,).
+        places: motion times between which excesses are expressed [s], rising, shape (m,).
         still: torque of creeping there [N m | N], shape (m, n), or (m, 0) where torque does not count.
     """
 
@@ -46,13 +46,13 @@ class Going:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Utilisation:
-    """What is used of the limits at k control ticks.
+    """Utilisation of the limits at k control ticks.
 
     Attributes:
         used: by the joint or path that uses most, 1.0 for all of it, in the order of `Quantity`, (4, k).
         peaks: the most of each, shape (4,); where torque is too much, of that alone which slowing changes.
-        lacks: logarithms of what rate and acceleration are to be divided by, windows to be multiplied with,
-            and torque to be divided by, at m places, shape (4, m).
+        lacks: logarithms of divisors of rate and acceleration, multipliers of windows, and divisors of
+            torque, at m grid points, shape (4, m).
     """
 
     used: Array
@@ -80,7 +80,7 @@ class Utilisation:
 
 
 def strain_as_planned(rows: JointPoints, bounds: JointBounds, period: float) -> Utilisation:
-    """Return what rows that are not slowed use of the bounds, torque aside; nothing lacks.
+    """Return the utilisation of the bounds by unslowed rows, except torque; without excesses.
 
     Args:
         rows: references at the control ticks, k rows.
@@ -99,10 +99,10 @@ def strain_as_planned(rows: JointPoints, bounds: JointBounds, period: float) -> 
 
 
 def with_torque(plain: Utilisation, rows: JointPoints, torque: Array, bounds: JointBounds) -> Utilisation:
-    """Return what the same rows use with their torques.
+    """Return the utilisation by the same rows with their torques.
 
     Args:
-        plain: what they use, torque aside.
+        plain: their utilisation except torque.
         rows: references at the control ticks, k rows.
         torque: of the joints there [N m | N], shape (k, n).
         bounds: of the joints.
@@ -140,14 +140,14 @@ def strain(
     going: Going | None = None,
     more: float = 0.0,
 ) -> Utilisation:
-    """Return what rows use of the bounds; see `strain_of`.
+    """Return the utilisation of the bounds by rows; see `strain_of`.
 
     Args:
         rows: references at the control ticks, k rows.
         torque: of the joints there [N m | N], shape (k, n), or None where it does not count.
         bounds: of the joints.
         period: of the control ticks [s].
-        going: how the path is gone; None for as it is planned.
+        going: rate of the path; None for the planned one.
         more: added to each lack.
 
     Raises:
@@ -190,7 +190,7 @@ def strain(
 def _limits(bounds: JointBounds, going: Going, period: float) -> Array:
     """Return limits of joints and paths, shape (4, 1, n), or (4, k, n + r) where there are paths.
 
-    They are those of speed, acceleration, change of acceleration in one tick, and torque.
+    They are in the order of speed, acceleration, change of acceleration in one tick, and torque.
     """
     n, ways = len(bounds.speed), going.ways
     k, r = ways.speeds.shape

@@ -78,7 +78,7 @@ def _within(
 
 
 def _row_at(segments: Array, t: float, row: int) -> int:
-    """Return the last segment that starts no later than t, looked for first at `row` and behind it."""
+    """Return the last segment that starts no later than t, searched first at `row` and behind it."""
     m = segments.shape[1]
     if segments[1, row] <= t:
         if row + 1 == m or t < segments[1, row + 1]:

@@ -1,22 +1,22 @@
 """A way of several pieces in little time, in plain loops that numba compiles.
 
-A rise starts without acceleration and takes as much jerk, then as much acceleration, as its piece allows, as
-long as it can still be levelled off (its acceleration taken back to 0 with the full jerk of the pieces that
+A rise starts without acceleration and takes as much jerk, then as much acceleration, as its piece allows,
+while it can still be levelled off (its acceleration taken back to 0 with the full jerk of the pieces that
 this leads through) without breaking a bound. Where it could no longer, it is levelled off until the piece
-that was in the way is reached. Where a rise is too fast for what follows, a new one starts at the bound
-there. A fall is a rise on the way back. So there is a course of rises from the start, one of falls from the
-end, and the motion follows the lower one of both. Where a rise meets a fall, both are levelled off to the
-highest speed at which one is still before the other. Passes from both ends are those of time-optimal motions
-along paths (Bobrow, Dubowsky and Gibson 1985, Time-Optimal Control of Robotic Manipulators Along Specified
-Paths, Int. J. Robotics Research 4(3)), segments those of the S-curve (Biagiotti and Melchiorri 2008,
-Trajectory Planning for Automatic Machines and Robots, section 3.4).
+that was in the way is reached. Where a rise is too fast for the following segments, a new one starts at the
+bound there. A fall is a rise on the way back. So there is a course of rises from the start, one of falls from
+the end, and the motion follows the lower one of both. Where a rise meets a fall, both are levelled off to the
+highest speed at which one is still before the other. Passes from both ends follow time-optimal motions along
+paths (Bobrow, Dubowsky and Gibson 1985, Time-Optimal Control of Robotic Manipulators Along Specified Paths,
+Int. J. Robotics Research 4(3)), segments follow the S-curve (Biagiotti and Melchiorri 2008, Trajectory
+Planning for Automatic Machines and Robots, section 3.4).
 
 In a table of a way stand, piece by piece: length, speed, acceleration, jerk, bound of the speed at its start,
 horizon; then, where a rise starts at a piece, its first segment, the one behind its last, and the speed to
 which its end can be levelled off; then the speed at its start from which all of the rest can be made; at
-last, for its horizon, a piece and the speed at the end of that from which the motion can stop in time, as far
-as they have been found. The last column is the end of the way. In a table of segments stand piece, place,
-speed, acceleration, jerk, duration, place at the end, and the speed to which its start can be levelled off.
+last, for its horizon, a piece and the speed at the end of that from which the motion can stop in time, if
+already found. The last column is the end of the way. In a table of segments stand piece, place, speed,
+acceleration, jerk, duration, place at the end, and the speed to which its start can be levelled off.
 """
 
 from math import inf, sqrt
@@ -27,17 +27,17 @@ from ropsim.spatial import Array
 LEVELLED = 8e-15
 """Relative; a speed that differs by no more from another one is that: so far several pieces round it."""
 LEAST, MOST = 1e-50, 1e50
-"""Between them lie the numbers of a piece; what is computed from them is then finite."""
+"""Between them lie the numbers of a piece; values computed from them are then finite."""
 ROUNDS = 100
 """More steps than any search here needs, were it by halves alone."""
 MET = 1e-13
 """Relative; a rise and a fall that leave no more of their way between them meet."""
 NEAREST = 4e-16
-"""Relative; places nearer to each other are not told apart."""
+"""Relative; places nearer to each other are not distinguished."""
 LITTLE_LESS = 1.0 - 2.0 * NEAREST
-"""Times what a search takes for the last that is allowed, it mostly is allowed in spite of rounding."""
+"""Factor on the last value that a search takes as allowed, so that it usually is allowed despite rounding."""
 NEWTON = 2e-8
-"""Relative; after a step of Newton no greater than this what remains is its square, which is rounding."""
+"""Relative; after a step of Newton no greater than this the remainder is its square, which is rounding."""
 SIXTH, THIRD = 1.0 / 6.0, 1.0 / 3.0
 
 
@@ -56,8 +56,8 @@ def plan_segments(
         rows: where the segments go: piece, time at the start [s], place, speed, acceleration, jerk, duration
             [s], place at the end; of shape (8, 16·p).
         ends: where the times [s] go at which the pieces end, shape (p,).
-        told: where the number of segments goes, or -1 and the index of a piece whose bounds no motion can
-            have, shape (2,).
+        told: output for the number of segments, or -1 and the index of a path segment whose bounds no motion
+            can have, shape (2,).
     """
     p = bounds.shape[0]
     there, back = ways[0], ways[1]
@@ -141,8 +141,8 @@ def _is_wrong(bounds: Array, way: Array, i: int) -> bool:
 def _look_ahead(way: Array) -> bool:
     """Write from which speeds, without acceleration, it can stop at the end; say whether a horizon counts.
 
-    Those that are written already were so before bounds got lower: only what that makes lower is found anew.
-    They are endless to begin with.
+    Existing ones were found before bounds were lowered: only lower ones are found again. Initially they are
+    infinite.
     """
     p, limited = way.shape[1] - 1, False
     for i in range(p):
@@ -165,7 +165,7 @@ def _look_ahead(way: Array) -> bool:
 def _stoppable(way: Array, piece: int, place: float, ahead: int) -> float:
     """Return a speed, without acceleration, from which the motion can stop before the horizon of a piece.
 
-    What lies behind the horizon matters no more where both are as fast. The way back from there is kept.
+    Segments behind the horizon do not matter if both are equally fast. The backward pass from there is kept.
     """
     known, speed = int(way[5, ahead]), 0.0
     if piece > known:
@@ -182,7 +182,7 @@ def _stoppable(way: Array, piece: int, place: float, ahead: int) -> float:
 
 
 def _within(speed: float, length: float, acceleration: float, jerk: float, most: float) -> float:
-    """Return what `_reached` does, but no more than a bound; mostly that is it, as its way tells at once."""
+    """Return the result of `_reached`, limited by a bound; usually the bound, by a quick check."""
     change, both, square = most - speed, most + speed, acceleration * acceleration
     if change <= 0.0:
         return most
@@ -199,7 +199,7 @@ def _reached(speed: float, length: float, acceleration: float, jerk: float) -> f
     """Return the highest speed to which it can rise over a way, without acceleration at both ends.
 
     Below the bound of acceleration it rises by w² with w³ + 2·speed·w = length·√jerk: Newton's steps fall to
-    the root of a convex function, from what either of its terms alone would allow.
+    the root of a convex function, from the value that either term alone would allow.
     """
     if length <= 0.0:
         return speed
@@ -259,7 +259,7 @@ def _level(
     """
     p = way.shape[1] - 1
     fault, k, where = 0, piece, 0
-    bent, gained, shifted = 1.0, 0.0, 0.0  # acceleration, speed and place at the same time, as such shares
+    bent, gained, shifted = 1.0, 0.0, 0.0  # acceleration, speed and place at the same time, as shares
     while True:
         length, jerk = way[0, k], way[3, k]
         t = a / jerk
@@ -383,7 +383,7 @@ def _latest(
     found, piece, _, top, there, _ = _level(way, k, min(place, length), v1, a1, k)
     if found != 0:
         fault, where, piece = found, there, there
-    where = max(where, k + 2 - fault)  # a rise goes on in a later piece, whatever is rounded
+    where = max(where, k + 2 - fault)  # a rise continues in a later path segment, despite rounding
     if fault == 2:
         if piece >= where:
             return low, way[1, where], 1, where + 1
@@ -622,7 +622,7 @@ def _summit(way: Array, course: Array, start: int, top: float) -> tuple[int, flo
 def _join(ways: Array, courses: Array, first: int, last: int, rows: Array, n: int) -> int:
     """Write a rise from one boundary and a fall to another; return the number of all segments.
 
-    The highest speed at which a rise is levelled off before a fall is looked for by `_share`.
+    The highest speed at which a rise is levelled off before a fall is searched by `_share`.
     """
     there, back, gone, p = ways[0], ways[1], ways[2, 1], ways.shape[2] - 1
     low = max(there[4, first], there[4, last])
@@ -678,7 +678,7 @@ def _join(ways: Array, courses: Array, first: int, last: int, rows: Array, n: in
 
 
 def _inside(x1: float, x2: float, share: float) -> float:
-    """Return what lies at a share of the way from one end to the other, or a little lower, but at neither."""
+    """Return the value at a share of an interval, or a little lower, but never one of its ends."""
     low, high = min(x1, x2), max(x1, x2)
     return min(max((x1 + share * (x2 - x1)) * LITTLE_LESS, low + NEAREST * high), high - NEAREST * high)
 
@@ -691,12 +691,12 @@ def _share(x1: float, f1: float, x2: float, f2: float, x3: float, f3: float) -> 
     derivatives, Advances in Engineering Software 28(3)).
 
     Args:
-        x1: looked at last.
-        f1: what was found there.
+        x1: evaluated last.
+        f1: value there.
         x2: on the other side of the root.
-        f2: what was found there.
-        x3: looked at before.
-        f3: what was found there.
+        f2: value there.
+        x3: evaluated before.
+        f3: value there.
     """
     if f2 == f3 or x2 == x3:
         return 0.5
@@ -755,6 +755,6 @@ def _add_row(
     jerk: float,
     duration: float,
 ) -> None:
-    """Write a segment but for its time and the place at its end."""
+    """Write a segment except its time and the path parameter at its end."""
     rows[0, n], rows[2, n], rows[3, n] = piece, place, v
     rows[4, n], rows[5, n], rows[6, n] = a, jerk, duration

@@ -50,7 +50,7 @@ def way_of(robot: RobotModel, joints: JointPath, X_MT: Pose, tool: ToolPath | No
         robot: the arm.
         joints: its path.
         X_MT: the tool.
-        tool: the path of the tool, if it has one; positions are in its frame, else in the base frame.
+        tool: the path of the tool, if any; positions are in its frame, else in the base frame.
     """
     if has_straight_tcp(tool):
         return StraightWay(joints.length)
@@ -61,7 +61,7 @@ def way_of(robot: RobotModel, joints: JointPath, X_MT: Pose, tool: ToolPath | No
 
 
 class StraightWay:
-    """Along a straight line, which is asked for its ends: nothing is to be searched for.
+    """Along a straight line, with the path parameters of both ends in closed form, without a search.
 
     Args:
         length: of the line [m].
@@ -86,7 +86,7 @@ class StraightWay:
 
 
 class _Way:
-    """Along a path of the tool, or one of the joints that only the path itself knows."""
+    """Along a path of the tool, or one of the joints that only the path itself can evaluate."""
 
     def __init__(self, robot: RobotModel, joints: JointPath, X_MT: Pose, tool: ToolPath | None) -> None:
         self._robot, self._joints, self._X_MT, self._tool = robot, joints, X_MT, tool

@@ -15,10 +15,10 @@ from ropsim.planning.joint_limits.binding_tool import REACHED, Looks, binding_of
 from ropsim.planning.records.motion_plan import MotionPlan, TimedMove
 
 MOST_LOOKS = 64
-"""Control ticks of a move that are looked at, evenly spaced: one of 64 is 1.6 % of its time."""
+"""Control ticks of a move that are evaluated, evenly spaced: one of 64 is 1.6 % of its time."""
 
 PRESSED = 0.9
-"""Share of acceleration or jerk at its peak from which on a joint counts as what slows a bend."""
+"""Share of acceleration or jerk at its peak from which on a joint counts as the limit in a bend."""
 
 _QUANTITIES = (LimitQuantity.SPEED, LimitQuantity.ACCELERATION, LimitQuantity.TORQUE, LimitQuantity.JERK)
 """In the order in which they are named where two limits are reached for equally long."""
@@ -29,15 +29,15 @@ def binding_constraints(
 ) -> tuple[CriticalLimit | None, ...]:
     """Return for each move of a plan the limit that it is at for longest, None where it reaches none.
 
-    Joints are held against the limits in force for the move: speed |q'|/v, acceleration |q''|/a, jerk by the
+    Joints are compared with the limits in force for the move: speed |q'|/v, acceleration |q''|/a, jerk by the
     difference of q'' at two control ticks, torque by the dynamics with the payload. On paths of the tool its
-    speed, acceleration, jerk and the bends of the path are held against those of the program
+    speed, acceleration, jerk and the bends of the path are compared with the limits of the program
     (`critical_tool`), and external axes that go along against the speed that they may have then.
 
     Args:
         plan: of a stretch.
         robot: the arm.
-        payload: tool and part as one body, as it was planned with.
+        payload: tool and part as one body, as used in planning.
     """
     bounds, looked, first = arm_bounds(robot, payload), [], 0
     for number, move in enumerate(plan.moves):
@@ -65,7 +65,7 @@ def binding_constraints(
 
 @frozen_dataclass
 class _Looked:
-    """A move that is looked at.
+    """A move that is evaluated.
 
     Attributes:
         number: of the move in its plan.
@@ -84,7 +84,7 @@ def _pressed(plan: MotionPlan, one: _Looked, robot: RobotModel) -> str:
     """Return the name of the joint for which a bend is slow, empty where it is slow for the tool.
 
     It is the one that comes nearest to its acceleration or jerk there, if it comes near: a motion is slowed
-    around such a place, long before and behind the few ticks at which the limit is reached.
+    around such a point, long before and behind the few ticks at which the limit is reached.
     """
     limits, qdd = one.limits, plan.reference.qdd[one.first : one.move.last]
     jerks = np.diff(qdd, axis=0) / plan.period
@@ -105,7 +105,7 @@ def _going_along(move: TimedMove, robot: RobotModel, bounds: ArmBounds) -> Joint
 def _joints(
     plan: MotionPlan, looked: Sequence[_Looked], bounds: ArmBounds
 ) -> tuple[Looks, list[list[float]]]:
-    """Return the looks at moves, and the limit that joints are at for longest at each.
+    """Return the evaluated ticks of moves, and the longest-binding joint limit of each.
 
     Args:
         plan: of a stretch.

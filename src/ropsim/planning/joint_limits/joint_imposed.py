@@ -1,4 +1,4 @@
-"""How slow a path must be walked at ticks at which joints cannot follow."""
+"""Path speed required at ticks at which joints cannot follow."""
 
 from functools import lru_cache
 
@@ -32,7 +32,7 @@ class JointImposedLimits:
 
 @record
 class Walked:
-    """A path at b ticks and at those before them; two rows of each, the ticks before first.
+    """A path at b ticks and at the ticks before them; two rows of each, the ticks before first.
 
     Attributes:
         places: on the path, shape (2, b).
@@ -43,7 +43,7 @@ class Walked:
         d2: second ones.
         q: joint coordinates at the ticks [rad | m], shape (b, n).
         qd: speeds [rad/s | m/s], of all motions that go on, shape (b, n).
-        qdd: accelerations [rad/s² | m/s²], likewise, shape (2, b, n).
+        qdd: accelerations [rad/s² | m/s²] in the same order, shape (2, b, n).
         torque: at the ticks [N m | N], shape (b, n); None where it does not count.
     """
 
@@ -60,13 +60,13 @@ class Walked:
 
 
 def joint_caps(walked: Walked, arm: ArmBounds, period: float, used: float) -> JointImposedLimits:
-    """Return what joints allow along a path where they are asked for too much.
+    """Return the joint-imposed limits along a path where joints are beyond their limits.
 
-    With the path q(s), its speed v and acceleration a: q̈ = q″·v² + q′·a. What has the greatest part in an
-    excess is brought down by it, but by no more than a half at once; where none is great, the speed is,
-    which all parts go with. Where motions overlap, each gives way by its part of the sum: were each to take
-    away the whole excess, both would be walked too slowly; of torque each takes the whole excess. A jerk too
-    great is of the path, of speed and bend, or of the jerk along the path.
+    With the path q(s), its speed v and acceleration a: q̈ = q″·v² + q′·a. The term with the greatest part in
+    an excess is reduced by it, by no more than a half at once; if none is great, the speed is reduced, on
+    which all terms depend. Where motions overlap, each is reduced by its part of the sum: reducing each by
+    the whole excess would make both too slow; for torque each takes the whole excess. An excessive jerk is
+    caused by the path, by speed and bend, or by the jerk along the path.
 
     Args:
         walked: the path at ticks at which a limit is exceeded.
@@ -96,7 +96,7 @@ def joint_limits(joints: JointBounds, period: float) -> Array:
 
 
 def _loads(walked: Walked, arm: ArmBounds) -> Array:
-    """Return torques, what of them goes with the square of the speed, and what with the acceleration.
+    """Return torques, and their parts proportional to the square of the speed and to the acceleration.
 
     Returns:
         shape (3, b, n) [N m | N], or (3, 0, n) where torque does not count.

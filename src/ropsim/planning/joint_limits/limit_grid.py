@@ -16,14 +16,14 @@ _QUANTITIES = tuple(Quantity)
 
 @record
 class LimitGrid:
-    """What counts between c + 1 places of a part.
+    """Limits between c + 1 borders on a section.
 
     Attributes:
-        part: as it was planned.
+        part: the planned section.
         begins: places at which its pieces begin, and the end of the last one, shape (p + 1,).
         legs: number of the move of each piece, shape (p,).
         borders: from its start on, stages and pieces end at some of them, shape (c + 1,).
-        times: at which the part as it was planned is at the borders, from its start on [s], shape (c + 1,).
+        times: at which the planned section is at the borders, from its start on [s], shape (c + 1,).
         owners: number of the piece on which each band lies, shape (c,).
         planned: bounds of speed, acceleration and jerk along it, shape (3, c).
         bounds: the same with regard to joints, shape (3, c).
@@ -46,7 +46,7 @@ class LimitGrid:
         """Return the same with bounds no higher than caps, and by as many steps lower than planned.
 
         Args:
-            caps: what joints allow, and where.
+            caps: joint-imposed limits, and their places.
         """
         bounds, causes, told = np.empty(self.bounds.shape), self.causes.copy(), np.empty(1)
         rooms = np.empty((4, caps.places.shape[1])), np.empty((2, caps.rows.shape[1]))
@@ -77,7 +77,7 @@ class LimitGrid:
         return LimitGrid(*fixed, bounds, causes, share)
 
     def cause(self, band: int) -> tuple[int, Quantity]:
-        """Return the joint that has brought a band down, and what it had too little of."""
+        """Return the joint that has lowered a cell, and its binding quantity."""
         joint, quantity = self.causes[:, band].tolist()
         return int(joint), _QUANTITIES[int(quantity)]
 
@@ -87,7 +87,7 @@ def limit_grid_of(part: Section, times: Array, start: float) -> LimitGrid:
 
     Args:
         part: of the stretch, with stages.
-        times: between which bands lie [s], rising, shape (m,); of those beside the part none counts.
+        times: between which bands lie [s], rising, shape (m,); only times on the section count.
         start: of them at which the part begins [s].
     """
     # rooms of a part are as large as that, not as the stretch: rounding may take one time more at each end

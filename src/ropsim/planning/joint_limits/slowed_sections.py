@@ -1,4 +1,4 @@
-"""Where a course that joints can follow is slower than it was planned, and what for."""
+"""Sections in which a feasible trajectory is slower than planned, and their causes."""
 
 from collections.abc import Mapping
 
@@ -13,8 +13,8 @@ from ropsim.planning.trajectory.timing import Timing
 def slowed_in(planned: Timing, course: Timing, bands: Mapping[int, LimitGrid]) -> tuple[Slowed, ...]:
     """Return the ways between two places that are slower, in order of time.
 
-    What is lost of the speed counts as a share of the greatest speed on the part, so that a start that is
-    somewhat less steep is no standstill.
+    The loss of speed counts as a share of the greatest speed on the part, so that a start that is somewhat
+    less steep is no standstill.
 
     Args:
         planned: the course as its limits alone would have it.

@@ -14,11 +14,11 @@ from ropsim.spatial import Array, record
 
 @record
 class Aim:
-    """What a step aims at.
+    """Aim of a step.
 
     Attributes:
         arm: limits of the joints.
-        period: of the ticks at which the motion was looked at [s].
+        period: of the ticks at which the motion was evaluated [s].
         used: share of the limits, in ]0, 1].
         rules: time law and look-ahead.
     """
@@ -36,7 +36,7 @@ def slower_run(
 
     Args:
         motion: of the stretch.
-        reference: of it, at the ticks at which it was looked at.
+        reference: of it, at the evaluated ticks.
         number: of the run.
         bands: of it.
         ticks: at which a limit is exceeded, none of them 0, shape (b,).
@@ -48,7 +48,7 @@ def slower_run(
 
 
 def _walked(motion: Trajectory, reference: Reference, number: int, begins: Array, ticks: Array) -> Walked:
-    """Return the path of a run at ticks and at those before them."""
+    """Return the path of a section at ticks and at the ticks before them."""
     run, b = motion.course.runs[number], len(ticks)
     rows, law, places = reference.rows, np.empty((5, 2 * b)), np.empty((2, b))
     joints, qdd = np.empty((2, 2, b, rows.q.shape[1]))

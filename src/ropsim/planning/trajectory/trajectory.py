@@ -1,4 +1,4 @@
-"""The nominal motion of a stretch: its runs, walked by their time laws, added where they overlap."""
+"""The nominal motion of a motion sequence: its sections, with their time laws, added where they overlap."""
 
 import numpy as np
 
@@ -21,13 +21,13 @@ from ropsim.spatial import Array, frozen, record
 class Trajectory:
     """Joint coordinates over motion time.
 
-    While a run still ends and the next one has begun, the joints are where the one has them, and as far
-    from the corner as the other has gone: q = q_before + q_behind - q_corner.
+    While a run still ends and the next one has begun, the joint coordinates of both are combined: q =
+    q_before + q_behind - q_corner.
 
     Attributes:
         course: the runs.
         corners: joint coordinates where one run ends and the next one has begun [rad | m], shape (r - 1, n).
-        table: the runs as numbers; None where one has a path that compiled loops do not know.
+        table: the sections as numbers; None if one has a path that compiled loops do not support.
     """
 
     course: Timing
@@ -98,7 +98,7 @@ class Trajectory:
         return JointPoints(out[0], out[1], out[2])
 
     def ways(self, phi: Array) -> Ways:
-        """Return how paths of the tool are walked; where runs overlap, nobody has said how the tool goes.
+        """Return the motion along paths of the tool; undefined where sections overlap.
 
         Args:
             phi: motion times in rising order [s], shape (k,).
