@@ -13,14 +13,9 @@ def _share(package: str) -> float:
     return plain_english.total(package, plain_english.counts(PACKAGES[package], MARKERS)).share
 
 
-@pytest.mark.parametrize("package", sorted(PACKAGES.keys() - MARKERS.above))
+@pytest.mark.parametrize("package", sorted(PACKAGES))
 def test_the_prose_of_a_package_is_plain(package: str) -> None:
     assert _share(package) <= plain_english.LIMIT, f"python tools/plain_english.py --words {package}"
-
-
-@pytest.mark.parametrize("package", sorted(MARKERS.above))
-def test_a_package_leaves_the_list_of_exceptions_once_its_prose_is_plain(package: str) -> None:
-    assert _share(package) > plain_english.LIMIT
 
 
 def test_markers_are_counted_in_docstrings_and_comments_and_nowhere_else(tmp_path: Path) -> None:
