@@ -20,6 +20,8 @@ from support.sources import trees
 SOURCE = Path(ropsim.__file__).parent
 ROOT = Path(__file__).parents[2]
 PACKAGES = frozenset(path.parent.name for path in SOURCE.glob("*/__init__.py"))
+DEEP_IMPORTS = 440
+"""Imports of tests from behind fronts; at most 150 are wanted."""
 FRONT = re.compile(r"src/ropsim/(\w+)/__init__\.py")
 
 
@@ -156,3 +158,26 @@ def added_to_fronts(page: Path) -> set[str]:
         if isinstance(node, ast.ImportFrom)
         for alias in node.names
     }
+
+
+def deep_imports(text: str) -> list[str]:
+    """Return the modules behind fronts from which a text imports; the door `testing` of a package is none."""
+    nodes = list(ast.walk(ast.parse(text)))
+    modules = [node.module or "" for node in nodes if isinstance(node, ast.ImportFrom)]
+    modules += [one.name for node in nodes if isinstance(node, ast.Import) for one in node.names]
+    return [
+        one for one in modules if re.fullmatch(r"ropsim(\.\w+){2,}", one) and not one.endswith(".testing")
+    ]
+
+
+def test_deep_imports_are_seen_and_doors_are_none() -> None:
+    text = (
+        "from ropsim.studio.wire import jobs\nimport ropsim.cli.main\nfrom ropsim.lsp.testing import Document"
+    )
+    assert deep_imports(f"from ropsim.flow import Event\n{text}") == ["ropsim.studio.wire", "ropsim.cli.main"]
+
+
+def test_tests_enter_packages_by_fronts_and_doors() -> None:
+    """The number only falls: a test that needs more takes it from `ropsim/PACKAGE/testing.py`."""
+    found = [one for path in (ROOT / "tests").rglob("*.py") for one in deep_imports(path.read_text("utf-8"))]
+    assert len(found) <= DEEP_IMPORTS

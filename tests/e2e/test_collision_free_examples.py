@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 from ropsim.userfiles import example_names
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -9,7 +9,7 @@ import pytest
 
 from ropsim.flow import Contact, Recording
 from ropsim.workbench import Project, open_project
-from ropsim.workbench.report import built_viewer
+from ropsim.workbench.testing import built_viewer
 from support.browser import UNPAINTED, Pages
 from support.studio_page import StudioPage
 from support.studio_process import Studio

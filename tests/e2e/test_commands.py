@@ -16,8 +16,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.cli.main import main
-from ropsim.cli.parser import build_parser
+from ropsim.cli.testing import build_parser, main
 from ropsim.workbench import new_project
 from support.patience import PATIENCE
 

@@ -8,7 +8,7 @@ import pytest
 
 import ropsim
 from ropsim.codegen import Engine
-from ropsim.dynamics.arm_functions import compiled
+from ropsim.dynamics import compiled
 from ropsim.flow import Recording
 from ropsim.model import Cell, HydraulicCylinder, combine
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from ropsim.lsp.protocol.framing import FrameReader, framed
+from ropsim.lsp.testing import FrameReader, framed
 from ropsim.workbench import new_project
 from support.patience import PATIENCE
 

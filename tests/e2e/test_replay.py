@@ -11,7 +11,7 @@ import pytest
 from ropsim.core import replace_file
 from ropsim.flow import GripEvent, Recording, ReleaseEvent
 from ropsim.workbench import Project, open_project
-from ropsim.workbench.report import built_viewer
+from ropsim.workbench.testing import built_viewer
 from support.browser import UNPAINTED, VIEWPORT, Pages, in_both_schemes
 from support.patience import until
 from support.png import read_png

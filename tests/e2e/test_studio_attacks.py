@@ -17,8 +17,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from ropsim.core import frozen_dataclass
 from ropsim.flow import Interventions
-from ropsim.records import read_recording
-from ropsim.records.inputs import read_inputs
+from ropsim.records import read_inputs, read_recording
 from ropsim.workbench import new_project
 from support.patience import PATIENCE, until
 from support.studio_client import (

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from ropsim.workbench.report import built_viewer
+from ropsim.workbench.testing import built_viewer
 from support.browser import UNPAINTED, Pages
 from support.large_project import large_palletizing
 from support.patience import until

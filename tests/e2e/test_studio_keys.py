@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from ropsim.records.inputs import read_inputs
+from ropsim.records import read_inputs
 from ropsim.workbench import open_project
 from support.browser import Pages
 from support.keys_project import keys_project

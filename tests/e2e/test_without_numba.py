@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ropsim.lsp.protocol.framing import FrameReader, framed
+from ropsim.lsp.testing import FrameReader, framed
 from ropsim.workbench import new_project
 from support.patience import PATIENCE
 from support.studio_client import command, page_of

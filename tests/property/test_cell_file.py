@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
-from ropsim.tomltext.positions import positions
+from ropsim.tomltext import positions
 from support.examples import examples
 from support.fuzzing.cells import RIGHT
 

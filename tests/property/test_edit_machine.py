@@ -14,7 +14,7 @@ from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, ru
 from ropsim.core import KeptFiles, SourceText
 from ropsim.query import is_same
 from ropsim.workbench import Workspace
-from ropsim.workbench.workspace import questions
+from ropsim.workbench.testing import questions
 from support.examples import examples
 
 CELL = """[cell]

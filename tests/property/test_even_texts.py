@@ -15,16 +15,16 @@ import pytest
 
 import ropsim
 from ropsim import icr, language, robots
-from ropsim.calibration.trace.trace_reader import read_trace
+from ropsim.calibration import read_trace
 from ropsim.cellfile import read_cell
 from ropsim.core import RopsimError, SourceText
 from ropsim.language.cutting import cuts
 from ropsim.language.cutting.line_kinds import kinds_of
-from ropsim.lsp.requests import ASKED
+from ropsim.lsp.testing import ASKED
 from ropsim.records import read_inputs
-from ropsim.workbench.robots.robot_files import read_robot
-from ropsim.workbench.tasks.told_tasks import told_tasks
-from ropsim.workspace.point_table import read_points
+from ropsim.workbench import read_robot
+from ropsim.workbench.testing import told_tasks
+from ropsim.workspace import read_points
 from support.editors import Editor, place, uri_of
 from support.work import calls_of
 

@@ -5,8 +5,15 @@ from functools import cache
 import numpy as np
 import pytest
 
-from ropsim.motion import Infeasible, JointBounds, NominalTime, RetimedTrajectory, keep_limits, time_optimal
-from ropsim.motion.retiming.joint_bounds import Effort
+from ropsim.motion import (
+    Effort,
+    Infeasible,
+    JointBounds,
+    NominalTime,
+    RetimedTrajectory,
+    keep_limits,
+    time_optimal,
+)
 from ropsim.spatial import Array
 from support.examples import examples
 from support.motions import Waves, body, most_of

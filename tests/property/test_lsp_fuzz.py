@@ -8,11 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ropsim.lsp import serve
-from ropsim.lsp.protocol.document import Document
-from ropsim.lsp.protocol.framing import FrameReader, framed
-from ropsim.lsp.protocol.messages import ErrorCode
-from ropsim.lsp.protocol.parameters import ContentChange, Position, Range
-from ropsim.lsp.requests import ASKED
+from ropsim.lsp.testing import ASKED, ContentChange, Document, ErrorCode, FrameReader, Position, Range, framed
 from support.characters import ANY
 from support.editors import Editor, applied, place
 from support.examples import examples

@@ -6,9 +6,10 @@ from math import isfinite
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from ropsim.meshes import MESH_FORMATS
 from ropsim.meshes.formats import MeshFileError
 from ropsim.meshes.glb import glb_bytes
-from ropsim.meshes.reading import MESH_FORMATS, read_mesh
+from ropsim.meshes.reading import read_mesh
 from ropsim.meshes.triangles import shaded
 from ropsim.model import Mesh
 from support.examples import examples

@@ -8,9 +8,7 @@ from hypothesis import strategies as st
 
 from ropsim.core import Diagnostic, Severity, SourceText, Span
 from ropsim.views import Style, diagnostics_text
-from ropsim.views.markup.decimate import min_max
-from ropsim.views.markup.ticks import nice_ticks
-from ropsim.views.words.characters import clean, fit, width
+from ropsim.views.testing import clean, fit, min_max, nice_ticks, width
 from support.examples import examples
 
 TEXT = st.text(alphabet=st.characters(), max_size=200)

@@ -8,8 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.cli.main import main
-from ropsim.cli.parser import build_parser
+from ropsim.cli.testing import build_parser, main
 from support.manual import DOCS, blocks
 
 PAGE = DOCS / "reference" / "commands.md"

@@ -12,7 +12,7 @@ from ropsim.flow import MessageInstruction, MoveInstruction
 from ropsim.language import Compiled, Environment, compile
 from ropsim.program import SignalUse, ValueType
 from ropsim.spatial import Pose
-from ropsim.workbench.compiling.dry_arm import dry_arm
+from ropsim.workbench.testing import dry_arm
 from support.cells import one_station
 from support.manual import DOCS, Block, blocks
 from support.tasks import CELL

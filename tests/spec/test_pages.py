@@ -16,7 +16,7 @@ from pathlib import Path
 import pytest
 
 from ropsim import icr
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 from ropsim.language import compile
 from ropsim.workbench import environment_of, open_project
 from support.manual import DOCS

@@ -14,9 +14,9 @@ from ropsim.core.disk import user_folders
 from ropsim.flow import Fidelity
 from ropsim.records import recording_bytes
 from ropsim.simulation import RunOptions
-from ropsim.userfiles.answers import KEPT_ANSWERS
+from ropsim.userfiles import KEPT_ANSWERS
 from ropsim.workbench import Workspace, open_project
-from ropsim.workbench.workspace.questions import LEAST_LINES
+from ropsim.workbench.testing import LEAST_LINES
 from support.counted_system import FAULTS, counted, number
 
 _LONG = "# a line\n" * LEAST_LINES

@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Any
 
 from ropsim.lsp import State, Workshop, answer, settle
-from ropsim.lsp.protocol.messages import Call
+from ropsim.lsp.testing import Call
 
 
 class Editor:

@@ -7,7 +7,7 @@ from functools import cache
 
 from ropsim.core import Diagnostic
 from ropsim.prolog import Struct
-from ropsim.tasks.findings import words
+from ropsim.tasks import words
 from support.sources import SOURCE, trees
 
 PACKAGES = ("prolog/", "tasks/", "workbench/")

@@ -4,9 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from ropsim.studio.desk.line import Cancelled
-from ropsim.studio.wire.orders import Cancel, Order
-from ropsim.studio.wire.replies import LiveFrame, LiveMessage, Report
+from ropsim.studio.testing import Cancel, Cancelled, LiveFrame, LiveMessage, Order, Report
 
 NIGHT = 1e6
 """The user waits so long after the last order before the test gives up [s]."""

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from ropsim.motion import JointPoints, Ways, no_ways
-from ropsim.motion.retiming.joint_bounds import Effort
+from ropsim.motion import Effort, JointPoints, Ways, no_ways
 from ropsim.spatial import Array
 
 

@@ -6,8 +6,7 @@ from collections.abc import Awaitable, Callable
 from pathlib import Path
 from typing import Any
 
-from ropsim.studio.session.session import Session
-from ropsim.studio.session.tab import Tab
+from ropsim.studio.testing import Session, Tab
 from support.patience import PATIENCE
 
 

@@ -14,9 +14,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ropsim.core import Diagnostic
-from ropsim.studio.texts.document import Document
-from ropsim.studio.texts.documents import Documents, Overwriting
-from ropsim.studio.texts.keeper import Keeper
+from ropsim.studio.testing import Document, Documents, Keeper, Overwriting
 from ropsim.userfiles import Journal
 from support.counted_system import counted, number
 

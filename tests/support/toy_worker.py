@@ -4,7 +4,7 @@ import os
 import time
 from multiprocessing.connection import Connection
 
-from ropsim.studio.wire import jobs, orders, replies
+from ropsim.studio.testing import jobs, orders, replies
 
 GIVEN_UP: list[orders.Request] = []
 """What ended the first estimate that takes long; the second one does not."""

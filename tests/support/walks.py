@@ -7,8 +7,7 @@ import numpy as np
 from ropsim.flow import ModalState, MotionKind, MoveInstruction
 from ropsim.kinematics import forward_batch
 from ropsim.model import Payload, RobotModel
-from ropsim.planning import MotionChain, MotionPlan, MotionState, plan
-from ropsim.planning.joint_limits.arm_limits import arm_bounds
+from ropsim.planning import MotionChain, MotionPlan, MotionState, arm_bounds, plan
 from ropsim.spatial import Array, Pose
 from support.motion import references
 

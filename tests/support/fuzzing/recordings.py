@@ -11,8 +11,16 @@ from tempfile import mkdtemp
 import numpy as np
 
 from ropsim.flow import InputChange, Interventions, OverrideChange, Recording
-from ropsim.records import InputsError, RecordingFileError, read_recording, recording_bytes
-from ropsim.records.inputs import inputs_of, inputs_text, read_inputs, with_inputs
+from ropsim.records import (
+    InputsError,
+    RecordingFileError,
+    inputs_of,
+    inputs_text,
+    read_inputs,
+    read_recording,
+    recording_bytes,
+    with_inputs,
+)
 from ropsim.records.plain_inputs import inputs_from_plain, plain_from_inputs
 from ropsim.simulation import RunOptions
 from ropsim.views import summarize

@@ -5,11 +5,8 @@ from random import Random
 
 import msgspec
 
-from ropsim.lsp.analysis.workshop import Workshop
-from ropsim.lsp.protocol.framing import FrameFault, FrameReader, framed
-from ropsim.lsp.protocol.messages import Fault, read_message
-from ropsim.lsp.server import answer, settle
-from ropsim.lsp.state import State
+from ropsim.lsp import State, Workshop, answer, settle
+from ropsim.lsp.testing import Fault, FrameFault, FrameReader, framed, read_message
 from support.fuzzing.mutation import BYTES, TEXT, changed_value, mutated
 from support.fuzzing.target import Target
 

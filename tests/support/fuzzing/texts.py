@@ -13,10 +13,10 @@ from ropsim.cellfile import read_cell
 from ropsim.core import Diagnostic, SourceText
 from ropsim.dynamics import check_model
 from ropsim.model import audit
-from ropsim.records.plain_values import numeric
+from ropsim.records import numeric
 from ropsim.robotfile import read_robot_file, robot_file_places, write_robot_file
 from ropsim.views import Style, diagnostics_text, scene
-from ropsim.workbench.compiling.environment import environment_of
+from ropsim.workbench import environment_of
 from support.cells import one_station
 from support.fuzzing.cells import AXES, RIGHT, STATIONS
 from support.fuzzing.mutation import TEXT, mutated, nest, numeral, word

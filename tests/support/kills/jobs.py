@@ -12,11 +12,10 @@ import numpy as np
 from ropsim.codegen import Engine, SourceFunction, load
 from ropsim.flow import Recording
 from ropsim.records import read_recording, recording_bytes, write_recording
-from ropsim.studio.texts.documents import Documents, Overwriting
-from ropsim.userfiles import Draft, Journal
-from ropsim.userfiles.trust import Trust, set_trust, trust_in
+from ropsim.studio.testing import Documents, Overwriting
+from ropsim.userfiles import Draft, Journal, Trust, set_trust, trust_in
 from ropsim.workbench import open_project
-from ropsim.workbench.report import Report
+from ropsim.workbench.testing import Report
 from support.kills.job import Job, Progress, Tell
 from support.recordings import SOURCE, pick_and_place
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from ropsim.flow import MoveInstruction
 from ropsim.spatial import Pose, quaternion
-from ropsim.workbench.compiling.dry_arm import dry_arm
+from ropsim.workbench.testing import dry_arm
 from support.outcomes import Outcome, outcome
 from support.programs.making import spoilt_program
 from support.programs.meaning import Run, carried_out

@@ -7,7 +7,7 @@ import pytest
 from ropsim.cellfile import read_cell
 from ropsim.core import Diagnostic, SourceText
 from ropsim.model import Cell
-from ropsim.workbench.compiling.environment import environment_of
+from ropsim.workbench import environment_of
 
 TRACK = "track = { length = 3000 }\n"
 TABLE = "positioner = { radius = 400, height = 600, base = { position = [0, 2000, 0] } }\n"

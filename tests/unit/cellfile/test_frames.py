@@ -8,7 +8,7 @@ from ropsim.cellfile import read_cell
 from ropsim.core import Diagnostic, SourceText
 from ropsim.model import Cell
 from ropsim.spatial import quaternion
-from ropsim.workbench.compiling.environment import environment_of
+from ropsim.workbench import environment_of
 
 HEAD = (
     '[robot]\nmodel = "puma560"\n'

@@ -9,7 +9,7 @@ from ropsim.cellfile import limits_section, read_cell, with_limits, written_limi
 from ropsim.core import SourceText
 from ropsim.model import JointType, Station
 from ropsim.tomltext import diagnostics as kinds
-from ropsim.tomltext.writing import with_values
+from ropsim.tomltext import with_values
 
 COUNT, TYPE, RANGE = (
     kind.code for kind in (kinds.WRONG_VALUE_COUNT, kinds.WRONG_VALUE_TYPE, kinds.VALUE_OUT_OF_RANGE)

@@ -1,6 +1,6 @@
 """One line for each instruction of a program that is run without a robot."""
 
-from ropsim.cli.commands.icr import instruction_text
+from ropsim.cli.testing import instruction_text
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Side, Trigger
 from ropsim.spatial import Pose
 

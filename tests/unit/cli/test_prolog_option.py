@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 from ropsim.prolog.native.program import COMMAND
 
 CALLS = (["grip infeed"], ["grip infeed", "park (400, 0, 700)"], ["grap infeed"])

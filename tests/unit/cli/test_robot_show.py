@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 
 SLIDE = """\
 convention = "standard"

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 from ropsim.collision import Collisions
 from ropsim.records import read_recording
 from ropsim.workbench import open_project

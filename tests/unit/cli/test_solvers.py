@@ -6,7 +6,7 @@ import math
 import pytest
 
 from ropsim import robots
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 from ropsim.kinematics import forward
 from ropsim.model import RobotModel
 from support.arms import random_arm

@@ -5,8 +5,22 @@ import math
 import numpy as np
 import pytest
 
-from ropsim.codegen import CONSTANTS, Compiled, Engine, Scalar, Tracer, cos, emit, load, row_by_row, sin, tanh
-from ropsim.codegen.formulas.tracer import maximum, minimum, sqrt
+from ropsim.codegen import (
+    CONSTANTS,
+    Compiled,
+    Engine,
+    Scalar,
+    Tracer,
+    cos,
+    emit,
+    load,
+    maximum,
+    minimum,
+    row_by_row,
+    sin,
+    sqrt,
+    tanh,
+)
 from ropsim.spatial import Array
 
 ROUNDING = 3e-16

@@ -12,7 +12,7 @@ from ropsim.kinematics import NotFiniteError, inverse
 from ropsim.model import Box, Cell, FixedObject, Mesh, Part, Rates, Shape, Sphere, Station, Tool
 from ropsim.robots.standard_controller import standard_controller
 from ropsim.spatial import Array, Pose
-from ropsim.workbench.cell.collisions import CellCollisions
+from ropsim.workbench.testing import CellCollisions
 
 UP = 1.0
 """Height of the robot's base [m]."""

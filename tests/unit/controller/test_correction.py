@@ -19,8 +19,7 @@ from ropsim.controller.correction_room import SHARE
 from ropsim.flow import JointReference, PathTracking, ToolDirection
 from ropsim.kinematics import forward
 from ropsim.model import CorrectionLimits, Payload
-from ropsim.planning import PLANNED_ACCELERATION, PLANNED_SPEED, Sample, StandardPathCorrector
-from ropsim.planning.joint_limits.arm_limits import arm_bounds
+from ropsim.planning import PLANNED_ACCELERATION, PLANNED_SPEED, Sample, StandardPathCorrector, arm_bounds
 from ropsim.planning.sequence_checks import beside_correction
 from ropsim.spatial import Pose
 

@@ -2,9 +2,8 @@ import tomllib
 
 import pytest
 
-from ropsim.cellfile.cell import read_cell
-from ropsim.core import SourceText, toml_values
-from ropsim.core.toml_values import MOST_KEY_PARTS
+from ropsim.cellfile import read_cell
+from ropsim.core import MOST_KEY_PARTS, SourceText, toml_values
 
 
 @pytest.mark.parametrize(

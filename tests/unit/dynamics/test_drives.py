@@ -8,8 +8,15 @@ import pytest
 
 from ropsim.codegen import Tracer
 from ropsim.codegen.formulas.tracer import reachable
-from ropsim.dynamics import chain_of, drive_fault, forward_dynamics, friction, mass_matrix, steady_drive
-from ropsim.dynamics.drives import command_limit
+from ropsim.dynamics import (
+    chain_of,
+    command_limit,
+    drive_fault,
+    forward_dynamics,
+    friction,
+    mass_matrix,
+    steady_drive,
+)
 from ropsim.dynamics.drives.block import AmplifierBlock, MotorBlock, TransmissionBlock
 from ropsim.dynamics.drives.chain import DriveChain
 from ropsim.dynamics.drives.table import AMPLIFIERS, MOTORS, TRANSMISSIONS

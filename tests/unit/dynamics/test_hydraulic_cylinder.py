@@ -11,12 +11,12 @@ from scipy.integrate import solve_ivp
 from ropsim.codegen import Engine
 from ropsim.dynamics import (
     chain_of,
+    compiled,
     drive_fault,
     range_fault,
     rotor_inertias,
     steady_drive,
 )
-from ropsim.dynamics.arm_functions import compiled
 from ropsim.dynamics.drives import largest_effort
 from ropsim.model import Friction, Gear, JointType, RobotModel, linkage
 from ropsim.spatial import Array

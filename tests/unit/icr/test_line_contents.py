@@ -5,8 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from ropsim.icr import line_contents, line_contents_of_all
-from ropsim.icr.machine.world import StillWorld
+from ropsim.icr import StillWorld, line_contents, line_contents_of_all
 from ropsim.language import compile
 
 TEXT = """program main

@@ -12,6 +12,7 @@ from ropsim.kinematics import (
     IkStatus,
     Limits,
     Method,
+    chain_arrays,
     classes_missed,
     forward,
     forward_batch,
@@ -20,7 +21,6 @@ from ropsim.kinematics import (
     posture,
     solver_of,
 )
-from ropsim.kinematics.chain.arrays import chain_arrays
 from ropsim.kinematics.chain.jacobian import least_singular_values
 from ropsim.kinematics.solvers.general.elimination import eliminations, steps_of
 from ropsim.kinematics.solvers.general.elimination_roots import starts

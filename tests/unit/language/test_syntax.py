@@ -3,7 +3,7 @@
 import pytest
 
 from ropsim.core import SourceText
-from ropsim.language.syntax import nodes
+from ropsim.language import nodes
 from ropsim.language.syntax.line import parse_line
 from ropsim.language.syntax.lines import logical_lines
 from ropsim.language.syntax.statements import Assign, Broken, Call, ContractClause, Motion, TaskHeader

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from ropsim.lsp.protocol.document import Document
+from ropsim.lsp.testing import Document
 from ropsim.workbench import new_project
 from support.editors import Editor, applied, place, uri_of
 

@@ -3,8 +3,7 @@
 import pytest
 
 from ropsim.core import Span
-from ropsim.lsp.protocol.document import Document
-from ropsim.lsp.protocol.parameters import ContentChange, Position, Range
+from ropsim.lsp.testing import ContentChange, Document, Position, Range
 
 ROBOT = "\N{ROBOT FACE}"
 

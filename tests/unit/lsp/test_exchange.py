@@ -6,8 +6,7 @@ from typing import Any
 import pytest
 
 from ropsim.lsp import answer, settle
-from ropsim.lsp.protocol.inbox import CANCEL, Inbox
-from ropsim.lsp.protocol.messages import Call
+from ropsim.lsp.testing import CANCEL, Call, Inbox
 from ropsim.workbench import new_project
 from support.editors import Editor, place, uri_of
 

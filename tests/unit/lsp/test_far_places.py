@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from ropsim.lsp.requests import ASKED
+from ropsim.lsp.testing import ASKED
 from support.editors import Editor, place, uri_of
 from support.work import calls_of, peak_of
 

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from ropsim import language
-from ropsim.lsp.completion import words
-from ropsim.lsp.completion.call_place import _TEXT, call_place
+from ropsim.lsp.completion.call_place import _TEXT
+from ropsim.lsp.testing import call_place, words
 from ropsim.workbench import new_project
 from support.editors import Editor, place, uri_of
 

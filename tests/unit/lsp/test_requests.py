@@ -5,8 +5,7 @@ from typing import Any
 
 import pytest
 
-from ropsim.lsp.requests import ASKED
-from ropsim.lsp.server import CAPABILITIES
+from ropsim.lsp.testing import ASKED, CAPABILITIES
 from support.fuzzing.server import SESSION
 from support.manual import DOCS
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.lsp.protocol.document import Document
+from ropsim.lsp.testing import Document
 from ropsim.workbench import new_project, open_project
 from support.editors import Editor, uri_of
 from support.robot_files import TWO_JOINTS

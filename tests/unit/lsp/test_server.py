@@ -6,8 +6,7 @@ from pathlib import Path
 import pytest
 
 from ropsim.lsp import State, Workshop, answer
-from ropsim.lsp.protocol.messages import Call, ErrorCode, Fault, read_message
-from ropsim.lsp.state import Phase
+from ropsim.lsp.testing import Call, ErrorCode, Fault, Phase, read_message
 from ropsim.workbench import new_project, new_robot_project, open_project
 from support.editors import Editor, applied, place, uri_of
 from support.robot_files import TWO_JOINTS

@@ -6,10 +6,8 @@ from typing import Any
 
 import pytest
 
-from ropsim.lsp.protocol.attention import SupersededError, nobody_calls
-from ropsim.lsp.protocol.framing import FrameReader
-from ropsim.lsp.server import first_sight
-from ropsim.lsp.transport import serve
+from ropsim.lsp import serve
+from ropsim.lsp.testing import FrameReader, SupersededError, first_sight, nobody_calls
 from support.editors import Editor
 
 URI = "file:///nowhere/main.task"

@@ -10,13 +10,13 @@ from ropsim.motion import (
     ProfileError,
     Quantity,
     Ways,
+    demand,
     keep_limits,
     no_ways,
     time_optimal,
 )
 from ropsim.motion.retiming import utilisation_kernel as strain_kernel
 from ropsim.motion.retiming.binding import binding_constraint, rates_needed
-from ropsim.motion.retiming.constraint_rows import demand
 from ropsim.motion.retiming.fastest import Speeds
 from ropsim.motion.retiming.grid import places_of
 from ropsim.motion.retiming.utilisation import Going, strain, strain_as_planned, with_torque

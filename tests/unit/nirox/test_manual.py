@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 from ropsim.core import SourceText
 from ropsim.nirox import ConformanceClass, nirox_schema, read_nirox
 from support.manual import DOCS, blocks

@@ -1,7 +1,7 @@
 import json
 
 from ropsim.core import Diagnostic, Label, Severity, Span, TextEdit
-from ropsim.records.diagnostic_json import diagnostic_document
+from ropsim.records import diagnostic_document
 
 SPAN = Span("a.task", 3, 4, 3, 9)
 

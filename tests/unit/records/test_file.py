@@ -30,9 +30,8 @@ from ropsim.flow import (
     TaskEvent,
     WaitEvent,
 )
-from ropsim.records import RecordingFileError, npz, read_recording, recording_bytes, write_recording
+from ropsim.records import RecordingFileError, npz, read_recording, readable, recording_bytes, write_recording
 from ropsim.records.diagnostic_json import diagnostic_entry
-from ropsim.records.plain_values import readable
 from ropsim.spatial import Pose
 from ropsim.views import html_report, summarize
 from support.recordings import SOURCE, empty_recording, facts, pick_and_place, two_findings

@@ -10,10 +10,19 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 from ropsim.flow import Interventions, OverrideChange, Recording, RunFacts
-from ropsim.records import InputsError, RecordingFileError, inputs_text, read_recording, write_recording
-from ropsim.records.inputs import LONGEST, inputs_of, read_inputs, with_inputs
+from ropsim.records import (
+    InputsError,
+    RecordingFileError,
+    inputs_of,
+    inputs_text,
+    read_inputs,
+    read_recording,
+    with_inputs,
+    write_recording,
+)
+from ropsim.records.inputs import LONGEST
 from ropsim.records.plain_inputs import inputs_from_plain
 from ropsim.simulation import Fidelity, InputChange, RunOptions
 from ropsim.workbench import open_project

@@ -4,7 +4,8 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from ropsim.records.plain_values import NotPlainError, readable, tagged, untagged
+from ropsim.records import readable
+from ropsim.records.plain_values import NotPlainError, tagged, untagged
 from ropsim.views import summarize
 from support.recordings import empty_recording, pick_and_place, two_findings
 

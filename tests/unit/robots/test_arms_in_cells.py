@@ -13,9 +13,7 @@ from ropsim.kinematics import forward, frames_batch
 from ropsim.model import Cell, RobotModel, beside, body_tree, on_track
 from ropsim.simulation import RunOptions, run
 from ropsim.spatial import Pose
-from ropsim.studio.desk.jog.jog import JoggedArm
-from ropsim.studio.wire.jobs import JogJoints, JogTcp
-from ropsim.studio.wire.replies import JogReply
+from ropsim.studio.testing import JoggedArm, JogJoints, JogReply, JogTcp
 from ropsim.views import scene
 from ropsim.workbench import environment_of
 from support.cells import one_station

@@ -22,8 +22,7 @@ from ropsim.kinematics.solutions.result import NO_AXIS
 from ropsim.model import RobotModel, audit, coordinates, coupled_limits, on_track
 from ropsim.planning import MotionPlan, Refusal, plan_move, standard_chain
 from ropsim.spatial import Array, Pose
-from ropsim.studio.desk.jog.jog import within_limits
-from ropsim.studio.desk.jog.words import limit_words
+from ropsim.studio.testing import limit_words, within_limits
 from support.cells import one_station
 
 ROBOT = robots.load("palletizer")

@@ -14,7 +14,7 @@ from ropsim.kinematics import body_poses
 from ropsim.model import Cell, body_tree
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Array
-from ropsim.workbench.compiling.environment import environment_of
+from ropsim.workbench import environment_of
 
 TOOL = "[tools.jaws]\nposition = [0, 0, 150]\nmass = 0.5\ngripper = {}\n"
 ONE = (

@@ -13,10 +13,9 @@ from ropsim.core import SourceText
 from ropsim.flow import LimitQuantity, MoveEvent, Recording
 from ropsim.kinematics import forward_batch
 from ropsim.model import Cell
-from ropsim.simulation import Fidelity, RunOptions, RunView, run
-from ropsim.simulation.state.watch import NobodyWatches
+from ropsim.simulation import Fidelity, NobodyWatches, RunOptions, RunView, run
 from ropsim.spatial import Array
-from ropsim.views.summary.path_summary import summarize_path
+from ropsim.views.testing import summarize_path
 from ropsim.workbench import environment_of
 
 CELL = """

@@ -13,7 +13,7 @@ from ropsim.kinematics import forward
 from ropsim.model import Cell
 from ropsim.program import Constant, Move
 from ropsim.simulation import Fidelity, RunOptions, run
-from ropsim.workbench.compiling.environment import environment_of
+from ropsim.workbench import environment_of
 
 CELL = (
     '[robot]\nmodel = "puma560"\ntrack = { length = 3000 }\n'

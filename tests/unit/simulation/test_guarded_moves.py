@@ -8,8 +8,7 @@ from ropsim.core import Severity
 from ropsim.flow import MoveEvent, Recording
 from ropsim.kinematics import forward
 from ropsim.model import Cell, Signal, Tool
-from ropsim.simulation import Fidelity, RunOptions, RunView, run
-from ropsim.simulation.state.watch import NobodyWatches
+from ropsim.simulation import Fidelity, NobodyWatches, RunOptions, RunView, run
 from support.cells import one_station
 from support.compiled import code_of
 

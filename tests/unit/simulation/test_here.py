@@ -15,7 +15,7 @@ from ropsim.kinematics import forward
 from ropsim.model import Cell, Signal, Tool
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Array, Pose
-from ropsim.workbench.compiling.dry_arm import dry_arm
+from ropsim.workbench.testing import dry_arm
 from support.cells import one_station
 from support.compiled import code_of
 from support.printed import si_numbers

@@ -12,9 +12,8 @@ import ropsim
 from ropsim import icr, robots
 from ropsim.flow import AwaitEvent, MoveEvent, OutputEvent, OverrideChange, Recording, WaitEvent
 from ropsim.model import Cell, Rates, Signal, Station, Tool
-from ropsim.records.inputs import inputs_of, with_inputs
-from ropsim.simulation import Fidelity, OptionError, RunOptions, RunView, run
-from ropsim.simulation.state.watch import NobodyWatches
+from ropsim.records import inputs_of, with_inputs
+from ropsim.simulation import Fidelity, NobodyWatches, OptionError, RunOptions, RunView, run
 from ropsim.spatial import Pose
 from ropsim.workbench import environment_of
 from support.examples import examples

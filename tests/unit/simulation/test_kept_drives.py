@@ -10,11 +10,10 @@ import ropsim
 from ropsim.dynamics import structure_of
 from ropsim.flow import Recording
 from ropsim.model import Payload
-from ropsim.simulation import KeptRuns, RunOptions, Servo
+from ropsim.simulation import KeptRuns, Recorder, RunOptions, Servo
 from ropsim.simulation.records.plant import constant
 from ropsim.simulation.servo.kept_drives import KeptDrives, driven_anew
 from ropsim.simulation.servo.log import LogLayout
-from ropsim.simulation.servo.recorder import Recorder
 from ropsim.workbench import Project, Workspace, open_overlaid, open_project
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

@@ -9,7 +9,7 @@ import ropsim
 from ropsim import icr, robots
 from ropsim.flow import InputEvent, Interventions, MoveEvent, Recording
 from ropsim.model import Cell, Signal, Tool
-from ropsim.records.inputs import with_inputs as with_recorded
+from ropsim.records import with_inputs as with_recorded
 from ropsim.simulation import Fidelity, InputChange, RunOptions, RunView, run
 from ropsim.simulation.state.inputs import usable_inputs, with_inputs
 from ropsim.workbench import environment_of

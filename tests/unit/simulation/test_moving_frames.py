@@ -14,7 +14,7 @@ from ropsim.model import Cell, body_tree
 from ropsim.planning import standard_chain
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Pose
-from ropsim.workbench.compiling.environment import environment_of
+from ropsim.workbench import environment_of
 
 CELL = """
 [robot]

@@ -12,7 +12,7 @@ from ropsim.flow import Recording
 from ropsim.kinematics import body_poses
 from ropsim.model import Cell, JointType, audit, body_tree
 from ropsim.simulation import Fidelity, RunOptions, run
-from ropsim.workbench.compiling.environment import environment_of
+from ropsim.workbench import environment_of
 
 SLIDE = """
 [stations.shuttle]

@@ -11,8 +11,7 @@ import ropsim
 from ropsim import icr, robots
 from ropsim.flow import MoveEvent, Recording
 from ropsim.model import Cell, Tool
-from ropsim.simulation import Fidelity, RunOptions, RunView, run
-from ropsim.simulation.state.watch import NobodyWatches
+from ropsim.simulation import Fidelity, NobodyWatches, RunOptions, RunView, run
 from ropsim.spatial import Array
 from ropsim.workbench import environment_of
 from support.cells import one_station

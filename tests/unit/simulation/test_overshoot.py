@@ -14,7 +14,7 @@ from ropsim.model import Tool
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Array
 from ropsim.views import Style, Verdict, summarize, terminal_report, verdict
-from ropsim.views.accuracy import BAND, StopFigures
+from ropsim.views.testing import BAND, StopFigures
 from ropsim.workbench import environment_of
 from support.cells import one_station
 from support.gains import cascaded

@@ -24,8 +24,7 @@ from ropsim.model import (
     Tool,
 )
 from ropsim.planning import PathCorrector, Sample, standard_chain
-from ropsim.simulation import Fidelity, RunOptions, RunView, run
-from ropsim.simulation.state.watch import NobodyWatches
+from ropsim.simulation import Fidelity, NobodyWatches, RunOptions, RunView, run
 from ropsim.spatial import Array, Pose
 from support.cells import one_station
 from support.compiled import code_of

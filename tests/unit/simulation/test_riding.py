@@ -10,7 +10,7 @@ from ropsim.flow import Placement, Recording
 from ropsim.kinematics import body_poses
 from ropsim.model import Cell, body_tree, start_of
 from ropsim.simulation import Fidelity, RunOptions, run
-from ropsim.workbench.compiling.environment import environment_of
+from ropsim.workbench import environment_of
 
 CELL = """
 [robot]

@@ -8,8 +8,7 @@ from pathlib import Path
 import pytest
 
 from ropsim.core import Diagnostic
-from ropsim.studio.texts.documents import Documents, Overwriting
-from ropsim.studio.texts.keeper import Keeper
+from ropsim.studio.testing import Documents, Keeper, Overwriting
 from ropsim.userfiles import Journal
 from support.counted_system import counted, number
 

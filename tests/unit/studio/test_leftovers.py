@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.studio.session.editing import Editing
-from ropsim.studio.session.tabs import Tabs
+from ropsim.studio.testing import Editing, Tabs
 
 LEFT = ".ropsim-0123456789abcdef"
 

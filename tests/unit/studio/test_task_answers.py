@@ -9,13 +9,19 @@ import pytest
 
 from ropsim.core import RopsimError
 from ropsim.prolog.diagnostics import CRASHED, ENGINE_FILES_MISSING
-from ropsim.studio.desk.main import answered
-from ropsim.studio.processes.workers import Task, WorkerLink
-from ropsim.studio.session import tasks
-from ropsim.studio.session.tab import Tab
-from ropsim.studio.wire import commands, jobs
-from ropsim.studio.wire.replies import Failed, Reply, TasksReply
-from ropsim.studio.wire.task_messages import TaskList
+from ropsim.studio.testing import (
+    Failed,
+    Reply,
+    Tab,
+    Task,
+    TaskList,
+    TasksReply,
+    WorkerLink,
+    answered,
+    commands,
+    jobs,
+    tasks,
+)
 
 
 class Worker:

@@ -7,9 +7,8 @@ from typing import Any
 import pytest
 
 from ropsim.core import Span
-from ropsim.tasks import FormParameter, KnownTask, TaskError, TaskForm, edited, form_clause, form_of
+from ropsim.tasks import FormParameter, KnownTask, Layer, TaskError, TaskForm, edited, form_clause, form_of
 from ropsim.tasks.base import library_texts
-from ropsim.tasks.kinds import Layer
 from support.knowledge import base
 
 NOWHERE = Span.whole_line("", 1)

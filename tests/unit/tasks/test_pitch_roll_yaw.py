@@ -13,10 +13,18 @@ from ropsim.icr import run
 from ropsim.kinematics import forward
 from ropsim.language import Environment, compile
 from ropsim.spatial import Array, Pose, pitch_roll_yaw
-from ropsim.studio.desk.jog.location import typed_text
-from ropsim.tasks import PointList, TaskCall, typed_numbers, typed_points
-from ropsim.tasks.answers.call_reading import call_of
-from ropsim.tasks.terms.point import ApproachPose, Coordinates, point_text, typed_point
+from ropsim.studio.testing import typed_text
+from ropsim.tasks import (
+    ApproachPose,
+    Coordinates,
+    PointList,
+    TaskCall,
+    call_of,
+    point_text,
+    typed_numbers,
+    typed_points,
+)
+from ropsim.tasks.terms.point import typed_point
 from ropsim.tasks.world.point_list import points_of, points_text
 
 PUMA = robots.load("puma560")

@@ -5,8 +5,7 @@ from pathlib import Path
 import pytest
 
 from ropsim.prolog import Atom, Struct, Var
-from ropsim.tasks import KnowledgeBase, TaskError
-from ropsim.tasks.folder import read_folder
+from ropsim.tasks import KnowledgeBase, TaskError, read_folder
 from support.knowledge import base, last
 
 OWN_GRIP = "task(grip(P, L), [params([P-part, L-location]), body([mov(L), close])])."

@@ -3,7 +3,7 @@
 import pytest
 
 from ropsim.core import SourceText, Span
-from ropsim.tomltext.positions import Path, positions
+from ropsim.tomltext import Path, positions
 
 TEXT = '''# comment [not.a.section]
 top = 1  # = 2

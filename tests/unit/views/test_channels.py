@@ -7,7 +7,7 @@ import pytest
 
 from ropsim.flow import AxisFacts, Channel, Recording, RunFacts, StationFacts
 from ropsim.spatial import Array
-from ropsim.views.channels import station_views
+from ropsim.views.testing import station_views
 
 TIME = np.arange(3.0)
 JOINTS = ("shoulder", "slide", "wrist")

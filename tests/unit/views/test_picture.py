@@ -7,8 +7,7 @@ from ropsim import robots
 from ropsim.model import Box, Cylinder, Prism, Shape, Sphere
 from ropsim.spatial import Pose
 from ropsim.views import PictureOptions, picture_print, png_words, robot_png
-from ropsim.views.picture.depth_buffer import DepthBuffer
-from ropsim.views.picture.facets import facets
+from ropsim.views.testing import DepthBuffer, facets
 from support.png import read_png
 
 SMALL = PictureOptions(width=60, finer=1)

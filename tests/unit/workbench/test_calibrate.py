@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from ropsim.calibration import MotionSettings, settings_of
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 from ropsim.workbench import open_project
 from support.logged_traces import CELL, logged, site, table
 

@@ -7,17 +7,24 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 from ropsim.core import Diagnostic, SourceText
 from ropsim.flow import Recording
 from ropsim.icr import disassemble, encoded, program_id, read_binary, read_text, run
 from ropsim.query import Outcome
 from ropsim.records import read_recording
 from ropsim.spatial import Pose
-from ropsim.workbench import AtStation, CompiledProgram, Workspace, new_project, open_overlaid
-from ropsim.workbench.tasks.task_texts import NO_TASKS, TaskTexts, read_task_texts
-from ropsim.workbench.tasks.told_tasks import told_tasks
-from ropsim.workbench.workspace.mentions import Mentions
+from ropsim.workbench import (
+    NO_TASKS,
+    AtStation,
+    CompiledProgram,
+    TaskTexts,
+    Workspace,
+    new_project,
+    open_overlaid,
+    read_task_texts,
+)
+from ropsim.workbench.testing import Mentions, told_tasks
 
 CELL = SourceText(
     "cell.toml",

@@ -7,7 +7,7 @@ import pytest
 
 import ropsim
 from ropsim import exchange, nirox, robots
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 from ropsim.core import SourceText
 from ropsim.workbench import StepForm, find_robot, new_project, written_robot
 from support.nirox_texts import TEXT, line_of

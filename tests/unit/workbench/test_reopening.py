@@ -9,8 +9,7 @@ from ropsim import language
 from ropsim.core import KeptFiles
 from ropsim.query import is_same
 from ropsim.workbench import CompiledProject, Workspace, new_project, open_project
-from ropsim.workbench.workspace import questions
-from ropsim.workbench.workspace.answer_form import Translation, UnknownFormError, read, written
+from ropsim.workbench.testing import Translation, UnknownFormError, questions, read, written
 from support.tasks import CELL
 
 GOLDEN = sorted((Path(__file__).parents[2] / "golden" / "task").glob("*.task"))

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 from ropsim.flow import Recording
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.workbench import Project, open_project
-from ropsim.workbench.report import NOT_BUILT, OTHER_ARM, Report, built_viewer
+from ropsim.workbench.testing import NOT_BUILT, OTHER_ARM, Report, built_viewer
 from support.meshes import ply
 from support.recordings import pick_and_place
 

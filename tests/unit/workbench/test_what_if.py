@@ -9,13 +9,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 from ropsim.flow import MoveEvent
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.views import Comparison
 from ropsim.workbench import Change, Project, Subject, WhatIfError, open_project, read_change
-from ropsim.workbench.what_if.change import NOTHING_COMPARED
-from ropsim.workbench.what_if.comparing import content_of
+from ropsim.workbench.testing import NOTHING_COMPARED, content_of
 from support.characters import ANY
 from support.examples import examples
 

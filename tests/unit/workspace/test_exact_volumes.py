@@ -9,8 +9,15 @@ import pytest
 from ropsim import robots
 from ropsim.model import Joint, JointType, RobotModel
 from ropsim.spatial import Array, Pose
-from ropsim.workspace import PointKind, Reachable, Resolution, WorkspaceError, moved_point, reachable
-from ropsim.workspace.volume.sweep import SweepKind
+from ropsim.workspace import (
+    PointKind,
+    Reachable,
+    Resolution,
+    SweepKind,
+    WorkspaceError,
+    moved_point,
+    reachable,
+)
 
 RELATIVE = 0.01
 """Largest error that may be stated, as a share of the volume."""

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 
 WRITTEN = "program p\nrepeat 2\nMOV  home\nend\n"
 FORM = "program p\nrepeat 2\n  mov home\nend\n"

@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.cli.main import main
-from ropsim.cli.terminal.line_editor import LineEditor
+from ropsim.cli.testing import LineEditor, main
 from ropsim.workbench import words_for
 
 

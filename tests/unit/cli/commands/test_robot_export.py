@@ -5,7 +5,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 
 
 def test_strictly_nothing_is_written_where_something_is_lost(

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 
 Printed = pytest.CaptureFixture[str]
 

@@ -2,7 +2,7 @@ import io
 
 import pytest
 
-from ropsim.cli.terminal.progress import Progress
+from ropsim.cli.testing import Progress
 from ropsim.codegen.machine.compiling import begin_compiling
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.cli.terminal.streams import OutputLostError, prepare_streams, say
+from ropsim.cli.testing import OutputLostError, prepare_streams, say
 
 
 def broken_pipe() -> io.TextIOWrapper:

@@ -8,11 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.cli.main import main
-from ropsim.cli.terminal import watch as watching
-from ropsim.cli.terminal.output import Output
-from ropsim.cli.terminal.stamps import SETTLED, contents, stamps
 from ropsim.cli.terminal.watch import watch
+from ropsim.cli.testing import SETTLED, Output, contents, main, stamps
+from ropsim.cli.testing import watch as watching
 from ropsim.workbench import Workspace
 
 TEXT = Output(json=False, is_coloured=False)

@@ -7,7 +7,7 @@ import pytest
 
 from ropsim import dynamics
 from ropsim.codegen import Engine
-from ropsim.dynamics.arm_functions import ArmFunctions
+from ropsim.dynamics import ArmFunctions
 from ropsim.dynamics.long_arms.long_arm import LongArmFunctions
 from ropsim.flow import JointReference
 from ropsim.model import Friction, Payload, RobotModel

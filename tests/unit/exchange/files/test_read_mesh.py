@@ -3,7 +3,7 @@
 import pytest
 
 from ropsim.core import Span
-from ropsim.exchange.files.folder import RobotFolder
+from ropsim.exchange import RobotFolder
 from ropsim.exchange.files.read_mesh import mesh_of
 from ropsim.exchange.losses.notes import Notes
 from ropsim.model import MESH_ENDINGS, Mesh

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from ropsim import kinematics, robots
-from ropsim.kinematics.chain.chain_kernel import POSES, forward_rows
+from ropsim.kinematics import POSES, forward_rows
 from ropsim.spatial import Pose
 from support.arms import random_arm
 from support.in_python import in_python

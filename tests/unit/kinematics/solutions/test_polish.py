@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from ropsim.codegen import Compiled
-from ropsim.kinematics import forward_batch, solver_of
-from ropsim.kinematics.chain.arrays import chain_arrays
+from ropsim.kinematics import chain_arrays, forward_batch, solver_of
 from ropsim.kinematics.chain.chain_kernel import ROOM, refine_rows
 from ropsim.kinematics.solutions.polish import (
     POSE_SLACK,

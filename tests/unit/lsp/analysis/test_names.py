@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from ropsim import icr, language
-from ropsim.lsp.protocol.messages import ErrorCode
+from ropsim.lsp.testing import ErrorCode
 from ropsim.workbench import new_project
 from support.editors import Editor, applied, place, uri_of
 

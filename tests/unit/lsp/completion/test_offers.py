@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from ropsim import language
-from ropsim.lsp.completion.expected import UNITS_OF
+from ropsim.lsp.testing import UNITS_OF
 from ropsim.workbench import new_project
 from support.editors import Editor, place, uri_of
 from support.programs.making import program as program_of

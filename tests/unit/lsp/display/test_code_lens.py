@@ -9,8 +9,8 @@ import pytest
 
 from ropsim import icr, language
 from ropsim.flow import Recording, RunFacts, StationFacts, TaskEvent
-from ropsim.lsp.analysis.recorded_runs import MOST
-from ropsim.lsp.analysis.workshop import Workshop
+from ropsim.lsp import Workshop
+from ropsim.lsp.testing import MOST
 from ropsim.records import write_recording
 from ropsim.workbench import environment_of, new_project, open_project
 from support.editors import Editor, uri_of

@@ -1,6 +1,6 @@
 """Framing: messages in any cut, and bytes that are none."""
 
-from ropsim.lsp.protocol.framing import MAX_BODY, FrameFault, FrameReader, framed
+from ropsim.lsp.testing import MAX_BODY, FrameFault, FrameReader, framed
 
 
 def test_messages_come_whole_however_they_are_cut() -> None:

@@ -2,8 +2,7 @@
 
 import pytest
 
-from ropsim.planning import Refusal, StandardInterpolator
-from ropsim.planning.entity_checks.entity_faults import guarded, refused
+from ropsim.planning import Refusal, StandardInterpolator, guarded, refused
 from support.motion import LINE, ptp
 
 MOVE = ptp(None)

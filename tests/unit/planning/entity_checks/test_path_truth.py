@@ -8,6 +8,7 @@ import pytest
 from ropsim.flow import ModalState, MotionKind, MoveInstruction
 from ropsim.motion import Line, OrientationMode, ToolPoints
 from ropsim.planning import (
+    TOOL_PATHS,
     MotionChain,
     MotionPlan,
     MotionState,
@@ -19,7 +20,6 @@ from ropsim.planning import (
 )
 from ropsim.planning.entity_checks.path_derivatives import wrong_tool_derivatives
 from ropsim.planning.entity_checks.path_faults import faults_of_tool_path
-from ropsim.planning.kinds import TOOL_PATHS
 from ropsim.spatial import Array, Pose
 from support.motion import CHAIN, LINE, START, interface_pose, lin, shifted
 

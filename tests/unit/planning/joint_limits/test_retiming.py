@@ -8,8 +8,7 @@ import pytest
 from ropsim import robots
 from ropsim.flow import ModalState
 from ropsim.model import Payload
-from ropsim.motion import Effort, JointBounds, Reference, Ticks, as_planned
-from ropsim.motion.retiming.retimed import Motion
+from ropsim.motion import Effort, JointBounds, Motion, Reference, Ticks, as_planned
 from ropsim.planning import MotionPlan, MotionState, plan
 from ropsim.planning.joint_limits import evaluated, retiming
 from support.cells import chain_of, one_station

@@ -34,8 +34,8 @@ from ropsim.motion import (
     smoothly,
     spline,
 )
+from ropsim.planning import Coordination
 from ropsim.planning.path_limits.path_limits import along_with, joint_path_limits, tool_path_limits
-from ropsim.planning.records.coordination import Coordination
 from ropsim.spatial import Array, Pose
 
 ROUNDING = 1e-12

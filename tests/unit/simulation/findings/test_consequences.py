@@ -12,7 +12,8 @@ from ropsim.simulation.diagnostics.part_diagnostics import (
     RELEASED_IN_THE_AIR,
 )
 from ropsim.simulation.findings.consequences import with_causes
-from ropsim.views.summary.findings import below_causes, group_findings
+from ropsim.views import group_findings
+from ropsim.views.testing import below_causes
 
 SOURCE = SourceText("main.task", "\n" * 30)
 

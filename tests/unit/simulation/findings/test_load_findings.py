@@ -10,7 +10,7 @@ from ropsim.flow import Recording
 from ropsim.simulation import RunOptions, run
 from ropsim.simulation.findings.load_findings import load_findings
 from ropsim.simulation.records.track import Track
-from ropsim.workbench.compiling.environment import environment_of
+from ropsim.workbench import environment_of
 
 ARM = robots.load("irb120")
 HZ = 1000

@@ -7,7 +7,7 @@ from ropsim.flow import MessageEvent, MoveEvent, Recording, WaitEvent
 from ropsim.model import Cell, Signal, Station
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Pose
-from ropsim.views.cycle import CycleParts, summarize_cycle
+from ropsim.views import CycleParts, summarize_cycle
 from support.compiled import station_code
 
 ARM = robots.load("puma560")

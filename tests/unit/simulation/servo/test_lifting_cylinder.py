@@ -11,11 +11,10 @@ from ropsim.controller import cascaded_p_pi
 from ropsim.flow import JointReference
 from ropsim.model import CascadedGains, Payload, Rates, RobotModel
 from ropsim.robots.standard_controller import standard_controller
-from ropsim.simulation import Servo
+from ropsim.simulation import Recorder, Servo
 from ropsim.simulation.findings.torn_oil import torn_oil
 from ropsim.simulation.records.track import Track
 from ropsim.simulation.servo.judged import BELOW
-from ropsim.simulation.servo.recorder import Recorder
 from support.cylinders import CENTRE, CYLINDER, DRIVE, MASS, lifted
 from support.servo_cases import standing
 

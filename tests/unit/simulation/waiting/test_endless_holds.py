@@ -6,8 +6,7 @@ import pytest
 from ropsim import robots
 from ropsim.flow import SLOWEST, MoveEvent, OverrideChange, Recording, channel_name
 from ropsim.model import Cell, Signal, Station
-from ropsim.simulation import Fidelity, RunOptions, RunView, run
-from ropsim.simulation.state.watch import NobodyWatches
+from ropsim.simulation import Fidelity, NobodyWatches, RunOptions, RunView, run
 from ropsim.spatial import Pose
 from support.compiled import station_code
 

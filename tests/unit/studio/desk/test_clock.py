@@ -2,7 +2,7 @@
 
 import pytest
 
-from ropsim.studio.desk.clock import PacedClock
+from ropsim.studio.testing import PacedClock
 
 
 class Wall:

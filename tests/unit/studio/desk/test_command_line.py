@@ -5,11 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.studio.desk.command_line import ToldRobot
-from ropsim.studio.desk.line import Cancelled
-from ropsim.studio.wire.jobs import OfferWords, Tell
-from ropsim.studio.wire.orders import Cancel
-from ropsim.studio.wire.replies import ToldReply
+from ropsim.studio.testing import Cancel, Cancelled, OfferWords, Tell, ToldReply, ToldRobot
 from ropsim.workbench import Workspace, new_project
 from support.live import FakeLine
 

@@ -14,34 +14,38 @@ from typing import Any
 import pytest
 
 from ropsim.icr import read_text
-from ropsim.records.inputs import read_inputs
-from ropsim.studio.desk import main
-from ropsim.studio.wire.jobs import (
+from ropsim.records import read_inputs
+from ropsim.studio.testing import (
+    Answer,
+    Cancel,
     Cause,
+    Failed,
     Job,
     JogJoints,
-    JogTcp,
-    LiveStart,
-    OpenScene,
-    RunForm,
-    SaveRun,
-    Simulate,
-)
-from ropsim.studio.wire.orders import Cancel, LiveControl, Order, Renew, Request, SetSignal, Stop
-from ropsim.studio.wire.replies import (
-    Answer,
-    Failed,
     JogReply,
+    JogTcp,
+    LiveControl,
     LiveFrame,
     LiveMessage,
+    LiveStart,
+    OpenScene,
+    Order,
     Planned,
     Progress,
+    Renew,
     Renewed,
     Reply,
     Report,
+    Request,
+    RunForm,
     RunReply,
     SavedRun,
+    SaveRun,
     SceneReply,
+    SetSignal,
+    Simulate,
+    Stop,
+    main,
 )
 from support.live import CELL, KEYS, project
 from support.patience import PATIENCE

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from pathlib import Path
 
-from ropsim.studio.desk.finished import Shelf
+from ropsim.studio.testing import Shelf
 from ropsim.workbench import open_project
 
 EXAMPLES = Path(__file__).parents[4] / "examples"

@@ -8,21 +8,22 @@ import msgspec
 import pytest
 
 from ropsim.spatial import Pose
-from ropsim.studio.desk.desk import Desk
-from ropsim.studio.desk.line import Cancelled
-from ropsim.studio.wire.jobs import (
+from ropsim.studio.testing import (
+    Cancelled,
     CheckTaskForm,
     CheckTasks,
+    Desk,
     EstimateTasks,
     FormParameterFields,
     Job,
     ListTasks,
     OpenTaskForm,
+    Order,
+    Report,
     TaskFormFields,
+    TasksReply,
     TaskStep,
 )
-from ropsim.studio.wire.orders import Order
-from ropsim.studio.wire.replies import Report, TasksReply
 
 CELL = """\
 [cell]

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from ropsim.flow import MoveEvent
 from ropsim.simulation import Fidelity, RunOptions
-from ropsim.studio.desk.told_lines import in_program
+from ropsim.studio.testing import in_program
 from ropsim.workbench import begin_session, open_project
 
 FIRST_CELL = Path(__file__).parents[4] / "examples" / "first_cell"

@@ -9,11 +9,17 @@ import pytest
 from ropsim.kinematics import body_poses, forward
 from ropsim.model import body_tree, link_name, start_of
 from ropsim.spatial import Pose
-from ropsim.studio.desk.jog.jog import JoggedArms
-from ropsim.studio.desk.live.run import Clocks, run_live
-from ropsim.studio.wire.jobs import JogJoints, JogTcp, LiveStart
-from ropsim.studio.wire.orders import LiveControl
-from ropsim.studio.wire.replies import Failed, JogReply
+from ropsim.studio.testing import (
+    Clocks,
+    Failed,
+    JoggedArms,
+    JogJoints,
+    JogReply,
+    JogTcp,
+    LiveControl,
+    LiveStart,
+    run_live,
+)
 from ropsim.workbench import open_project
 from support.live import FakeLine
 

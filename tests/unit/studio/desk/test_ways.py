@@ -6,12 +6,21 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.studio.desk.desk import Desk
-from ropsim.studio.desk.line import Cancelled
-from ropsim.studio.wire.jobs import LookAtWays, SaveRun, Simulate
-from ropsim.studio.wire.messages import RunWays, wire
-from ropsim.studio.wire.orders import Order
-from ropsim.studio.wire.replies import Failed, Report, RunReply, SavedRun, WaysReply
+from ropsim.studio.testing import (
+    Cancelled,
+    Desk,
+    Failed,
+    LookAtWays,
+    Order,
+    Report,
+    RunReply,
+    RunWays,
+    SavedRun,
+    SaveRun,
+    Simulate,
+    WaysReply,
+    wire,
+)
 
 CELL = """\
 [cell]

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.studio.processes.isolation import LOCK, PREFIX, neutral_folder
+from ropsim.studio.testing import LOCK, PREFIX, neutral_folder
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="processes are killed by signals")
 

@@ -9,8 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.studio.processes.workers import WorkerLink
-from ropsim.studio.wire import jobs, orders, replies
+from ropsim.studio.testing import WorkerLink, jobs, orders, replies
 from support.patience import PATIENCE
 
 TOY = "support.toy_worker:main"

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.studio.session.folders import folders_in, places_of
+from ropsim.studio.testing import folders_in, places_of
 
 
 @pytest.fixture

@@ -1,8 +1,7 @@
 """What a tab that comes during a live run is told."""
 
-from ropsim.studio.session.live_log import LiveLog
-from ropsim.studio.wire.live_messages import LiveStatus
-from ropsim.studio.wire.messages import Message
+from ropsim.studio import Message
+from ropsim.studio.testing import LiveLog, LiveStatus
 
 LAYOUT = {"type": "layout", "channels": [], "bodies": [1]}
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.studio.session.place import LONGEST, Place, keep_place, place_of
+from ropsim.studio.testing import LONGEST, Place, keep_place, place_of
 
 SECRET = 32 * "s"
 NOW = 1_800_000_000.0  # [s since 1970]

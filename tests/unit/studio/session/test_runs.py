@@ -6,11 +6,8 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
-from ropsim.studio.processes.workers import WorkerLink
-from ropsim.studio.session.runs import Runs
-from ropsim.studio.wire import orders
-from ropsim.studio.wire.live_messages import LiveStatus
-from ropsim.studio.wire.messages import Message, RunStatus, RunWays
+from ropsim.studio import Message
+from ropsim.studio.testing import LiveStatus, Runs, RunStatus, RunWays, WorkerLink, orders
 from support.patience import PATIENCE
 
 VERSIONS = {"programs/main.task": 3}

@@ -1,9 +1,7 @@
 import asyncio
 import json
 
-from ropsim.studio.session.tab import MOST_WAITING, Tab
-from ropsim.studio.session.tabs import GRACE, Tabs
-from ropsim.studio.wire.messages import EditingRight
+from ropsim.studio.testing import GRACE, MOST_WAITING, EditingRight, Tab, Tabs
 from support.patience import PATIENCE
 
 

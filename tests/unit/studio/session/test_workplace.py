@@ -10,9 +10,7 @@ from typing import Any
 import pytest
 
 from ropsim import robots
-from ropsim.studio.session.place import Place, place_of
-from ropsim.studio.session.tab import Tab
-from ropsim.studio.session.workplace import Workplace
+from ropsim.studio.testing import Place, Tab, Workplace, place_of
 from ropsim.userfiles import recent_projects
 from ropsim.workbench import new_project
 from support.patience import PATIENCE

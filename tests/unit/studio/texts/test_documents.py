@@ -7,11 +7,16 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.studio.diagnostics import StudioError
-from ropsim.studio.texts.document import LARGEST
-from ropsim.studio.texts.documents import Documents, ListChange, Overwriting
-from ropsim.studio.texts.point_tables import PointTables
-from ropsim.studio.texts.project_files import program_names, project_folder
+from ropsim.studio.testing import (
+    LARGEST,
+    Documents,
+    ListChange,
+    Overwriting,
+    PointTables,
+    StudioError,
+    program_names,
+    project_folder,
+)
 from ropsim.userfiles import Draft
 from support.counted_system import counted, number
 

@@ -1,7 +1,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from ropsim.studio.texts.line_ends import plain_lines, restored
+from ropsim.studio.testing import plain_lines, restored
 
 MIXED = "a\r\nb\nc\rd\r\n"
 

@@ -6,8 +6,7 @@ from typing import Any
 import pytest
 from starlette.types import Message, Receive, Scope, Send
 
-from ropsim.studio.web.entry import Entry, code
-from ropsim.studio.web.security import Gate, content_policy
+from ropsim.studio.testing import Entry, Gate, code, content_policy
 
 PORT = 8123
 TOKEN = "s3cret"

@@ -16,8 +16,7 @@ from hypothesis import strategies as st
 from tools import wire_types
 
 from ropsim.core import frozen_dataclass
-from ropsim.studio.wire import commands, content, messages
-from ropsim.studio.wire.jobs import PoseNumbers
+from ropsim.studio.testing import PoseNumbers, commands, content, messages
 from support.characters import ANY
 
 ROOT = Path(__file__).parents[4]

@@ -5,8 +5,7 @@ from itertools import pairwise
 import pytest
 
 from ropsim.prolog import Atom, Struct, Var, write_term
-from ropsim.tasks import Quantity, TaskCall, TaskError, WorldState
-from ropsim.tasks.terms.fact_words import fact_words
+from ropsim.tasks import Quantity, TaskCall, TaskError, WorldState, fact_words
 from ropsim.tasks.terms.pattern import neighbours, places_in_rows
 from support.knowledge import GEOMETRY, base
 

@@ -11,29 +11,35 @@ from ropsim.icr import run
 from ropsim.language import compile
 from ropsim.prolog import Atom, Struct
 from ropsim.tasks import (
+    ApproachPose,
+    Coordinates,
     Draft,
+    PointList,
+    Quantity,
     TaskCall,
     TaskError,
     TypedStep,
     WorldState,
     WorldTable,
     added,
+    call_of,
     default_text,
     draft_points,
     draft_text,
     drafted,
     listed,
+    point_text,
     program_text,
+    read_point_list,
+    read_point_lists,
     taken_back,
     typed_points,
     typed_values,
     version_of,
     world_table,
 )
-from ropsim.tasks.answers.call_reading import call_of
-from ropsim.tasks.terms.point import ApproachPose, Coordinates, point_of_term, point_text, term_of_point
-from ropsim.tasks.terms.task_call import Quantity
-from ropsim.tasks.world.point_list import PointList, points_of, points_text, read_point_list, read_point_lists
+from ropsim.tasks.terms.point import point_of_term, term_of_point
+from ropsim.tasks.world.point_list import points_of, points_text
 from ropsim.tasks.world.world_state import ordered
 from support.knowledge import CELL, GEOMETRY, base, last
 

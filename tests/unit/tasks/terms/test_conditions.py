@@ -3,8 +3,7 @@
 import pytest
 
 from ropsim.core import SourceText
-from ropsim.tasks import KnowledgeBase, WorldState
-from ropsim.tasks.findings import words
+from ropsim.tasks import KnowledgeBase, WorldState, words
 from ropsim.tasks.terms import conditions
 from ropsim.tasks.terms.conditions import CONDITIONS, Condition, examples, forms
 from support.knowledge import Refusing, base

@@ -6,10 +6,16 @@ import numpy as np
 import pytest
 
 from ropsim.spatial import Array
-from ropsim.views.accuracy import BAND, largest_angle, path_repeatability, speed_figures
-from ropsim.views.accuracy.corners import cornering
-from ropsim.views.accuracy.polyline import at, nearest
-from ropsim.views.accuracy.stops import stopping
+from ropsim.views.testing import (
+    BAND,
+    at,
+    cornering,
+    largest_angle,
+    nearest,
+    path_repeatability,
+    speed_figures,
+    stopping,
+)
 
 CHORD = 1e-6
 """Circles are recorded as polygons: of radius 0.1 m and 2000 corners they lie within 1.3e-7 m [m]."""

@@ -8,9 +8,7 @@ import pytest
 
 from ropsim.flow import Channel, Fidelity, MotionKind, MoveEvent, Origin, Recording
 from ropsim.spatial import Array
-from ropsim.views.accuracy import BAND, StopFigures, stop_figures
-from ropsim.views.accuracy.stops import stopping
-from ropsim.views.channels import station_views
+from ropsim.views.testing import BAND, StopFigures, station_views, stop_figures, stopping
 from support.recordings import SOURCE, facts
 
 HZ = 100

@@ -3,8 +3,7 @@
 import re
 from math import nan
 
-from ropsim.views.accuracy import CornerFigures, StopFigures
-from ropsim.views.html.accuracy import corner_table, stop_table
+from ropsim.views.testing import CornerFigures, StopFigures, corner_table, stop_table
 
 
 def rows(table: str) -> list[list[str]]:

@@ -9,7 +9,7 @@ from html.parser import HTMLParser
 import pytest
 
 from ropsim.views import NoReplay, Replay, html_report, summarize
-from ropsim.views.html.replay import inline_script, inline_style
+from ropsim.views.testing import inline_script, inline_style
 from support.recordings import SOURCE, pick_and_place
 
 HOSTILE = '</script><script>alert("x")</script><!--<script>'

@@ -2,8 +2,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from ropsim.views.markup import decimate
-from ropsim.views.markup.decimate import along_curve, min_max
+from ropsim.views.testing import along_curve, decimate, min_max
 
 NONE = np.empty(0, dtype=np.intp)
 

@@ -2,7 +2,7 @@ import re
 
 import pytest
 
-from ropsim.views.markup.theme import DARK, LIGHT, stylesheet
+from ropsim.views.testing import DARK, LIGHT, stylesheet
 
 TEXT_CONTRAST = 4.5
 """WCAG 2.1, 1.4.3 (AA) for text."""

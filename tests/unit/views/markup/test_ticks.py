@@ -1,6 +1,6 @@
 import pytest
 
-from ropsim.views.markup.ticks import nice_step, nice_ticks, tick_text
+from ropsim.views.testing import nice_step, nice_ticks, tick_text
 
 
 @pytest.mark.parametrize(("raw", "step"), [(1.0, 1.0), (1.1, 2.0), (0.03, 0.05), (70.0, 100.0), (2e-7, 2e-7)])

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from ropsim.spatial import Array
-from ropsim.views.pack.columns import Body, second_differences, smooth, varints, zigzag
+from ropsim.views.testing import Body, second_differences, smooth, varints, zigzag
 from support.packs import values_of
 
 STEP = 1e-3

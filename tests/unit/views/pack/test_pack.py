@@ -17,9 +17,8 @@ from ropsim.records import numeric, read_recording, write_recording
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.simulation.state.cell_run import CellRun
 from ropsim.views import pack, result_figures, scene, summarize
-from ropsim.views.pack.pack import sample_times
-from ropsim.workbench import open_project, pack_of
-from ropsim.workbench.projects.project import Project
+from ropsim.views.testing import sample_times
+from ropsim.workbench import Project, open_project, pack_of
 from support.packs import ReadPack, read_pack
 
 EXAMPLES = Path(__file__).parents[4] / "examples"

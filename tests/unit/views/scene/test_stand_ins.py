@@ -8,7 +8,7 @@ import pytest
 from ropsim import robots
 from ropsim.model import Box, Cylinder, Gripper, Part, Shape, Tool, grip_width, tool_shapes
 from ropsim.spatial import Array, Pose, frozen
-from ropsim.views.scene.arm import base_shapes, link_shapes, reach
+from ropsim.views.testing import base_shapes, link_shapes, reach
 from support.arms import random_arm
 from support.cells import one_station
 

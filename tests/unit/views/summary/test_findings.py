@@ -1,6 +1,6 @@
 from ropsim.core import Diagnostic, Severity, Span
 from ropsim.views import count_text, group_findings
-from ropsim.views.summary.findings import passes_text
+from ropsim.views.testing import passes_text
 from support.recordings import two_findings
 
 PLACE = Span("a.task", 3, 1, 3, 4)

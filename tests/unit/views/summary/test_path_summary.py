@@ -8,9 +8,8 @@ from ropsim.flow import Channel, MotionKind, MoveEvent, Origin, Recording
 from ropsim.model import Signal, Tool
 from ropsim.robots import default_controller, load
 from ropsim.simulation import Fidelity, RunOptions, run
-from ropsim.views import summarize
-from ropsim.views.terminal.accuracy import accuracy_lines
-from ropsim.views.terminal.columns import Style
+from ropsim.views import Style, summarize
+from ropsim.views.testing import accuracy_lines
 from support.cells import one_station
 from support.compiled import code_of
 from support.recordings import empty_recording, facts, pick_and_place

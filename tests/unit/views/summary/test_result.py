@@ -14,7 +14,7 @@ from ropsim.flow import (
     SkipEvent,
 )
 from ropsim.views import Closeness, Verdict, result_figures, summarize, verdict
-from ropsim.views.summary.result import SettlingFigure
+from ropsim.views.testing import SettlingFigure
 from support.recordings import empty_recording, facts, pick_and_place, station, two_findings, two_stations
 
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ropsim.cli.catalogue import all_kinds
+from ropsim.cli import all_kinds
 from ropsim.flow import (
     AxisType,
     Channel,
@@ -18,10 +18,7 @@ from ropsim.flow import (
     WaitEvent,
 )
 from ropsim.views import summarize
-from ropsim.views.html.cards import key_figures
-from ropsim.views.summary.joint_summary import closest_to_position_limit
-from ropsim.views.summary.station_summary import moves_by_kind
-from ropsim.views.terminal.figures import effort_lines
+from ropsim.views.testing import closest_to_position_limit, effort_lines, key_figures, moves_by_kind
 from support.recordings import empty_recording, facts, pick_and_place, station, two_findings, two_stations
 
 ROUNDING = 1e-12

@@ -11,7 +11,7 @@ from ropsim.flow import (
 )
 from ropsim.motion import ZONE_CLIPPED, ZONE_STOPS
 from ropsim.views import Style, html_report, result_figures, summarize, terminal_report
-from ropsim.views.summary.unchecked import SHORT, ByHand, by_hand, given_text
+from ropsim.views.testing import SHORT, ByHand, by_hand, given_text
 from support.recordings import SOURCE, estimates, facts, pick_and_place, station
 
 

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from ropsim.core import Category, Diagnostic, Severity, Span
-from ropsim.views import summarize, verdict
-from ropsim.views.summary.verdict import Verdict
+from ropsim.views import Verdict, summarize, verdict
 from support.recordings import facts, pick_and_place, station
 
 STOPPED = Diagnostic("S761", "run-stopped", Severity.HINT, "ended at 1 s", category=Category.STOPPED)

@@ -19,7 +19,7 @@ from ropsim.flow import (
     WaitEvent,
 )
 from ropsim.views import Style, summarize, terminal_report
-from ropsim.views.words.characters import width
+from ropsim.views.testing import width
 from support.golden import GOLDEN, check_golden
 from support.recordings import (
     SOURCE,

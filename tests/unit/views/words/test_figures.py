@@ -3,7 +3,7 @@ import math
 import pytest
 
 from ropsim.flow import AxisType
-from ropsim.views.words.figures import (
+from ropsim.views.testing import (
     DEGREES,
     MILLIMETRES,
     coordinate_scale,

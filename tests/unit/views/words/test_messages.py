@@ -3,7 +3,7 @@ from dataclasses import replace
 
 from ropsim.flow import MessageEvent, Origin, Recording
 from ropsim.views import html_report, messages, messages_text, summarize
-from ropsim.views.html.findings import SHOWN_MESSAGES
+from ropsim.views.testing import SHOWN_MESSAGES
 from support.recordings import SOURCE, pick_and_place, two_stations
 
 

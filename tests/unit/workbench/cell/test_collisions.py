@@ -13,8 +13,7 @@ from ropsim.kinematics import frames_batch, inverse
 from ropsim.model import Cell
 from ropsim.spatial import Array
 from ropsim.workbench import CellGeometry, world_state
-from ropsim.workbench.cell.collisions import CellCollisions
-from ropsim.workbench.cell.part_places import part_places
+from ropsim.workbench.testing import CellCollisions, part_places
 from support.meshes import stl
 
 CELL = """\

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from ropsim.cellfile import read_cell
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 from ropsim.core import SourceText
 from ropsim.tasks import WorldState, term_text
 from ropsim.workbench import (

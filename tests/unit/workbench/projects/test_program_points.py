@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import ropsim
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 from ropsim.spatial import Pose
 from ropsim.workbench import Project, new_project, program_points
 

@@ -6,7 +6,7 @@ import pytest
 
 from ropsim.userfiles import example_names
 from ropsim.workbench import new_project, open_project
-from ropsim.workbench.projects.project_name import LONGEST, name_from_folder, name_project
+from ropsim.workbench.testing import LONGEST, name_from_folder, name_project
 
 ODD = [
     "my cell",

@@ -7,12 +7,12 @@ import pytest
 
 import ropsim
 from ropsim import robots
-from ropsim.cli.main import main
+from ropsim.cli.testing import main
 from ropsim.flow import Fidelity, Recording
 from ropsim.simulation import RunOptions
 from ropsim.spatial import Pose
 from ropsim.workbench import find_robot, load_robot, new_robot_project, robots_in
-from ropsim.workbench.projects.first_way import first_way
+from ropsim.workbench.testing import first_way
 from support.built_in import WRITTEN
 from support.published_arms import TABLES, published_arm
 from support.robot_files import PUMA560, TWO_JOINTS

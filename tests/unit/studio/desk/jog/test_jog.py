@@ -14,9 +14,7 @@ from ropsim.kinematics.solvers.wrists.spherical_wrist import SphericalWristSolve
 from ropsim.model import ROBOT, Tool
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Pose, frozen
-from ropsim.studio.desk.jog.jog import JoggedArms
-from ropsim.studio.wire.jobs import JogJoints, JogTcp, PoseNumbers
-from ropsim.studio.wire.replies import JogReply
+from ropsim.studio.testing import JoggedArms, JogJoints, JogReply, JogTcp, PoseNumbers
 from ropsim.workbench import environment_of
 from support.arms import random_arm
 from support.cells import one_station

@@ -8,11 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ropsim.flow import Recording
-from ropsim.records.inputs import inputs_of, with_inputs
+from ropsim.records import inputs_of, with_inputs
 from ropsim.simulation import Fidelity, RunOptions, run
-from ropsim.studio.desk.clock import PacedClock
-from ropsim.studio.desk.live.watch import LivePace
-from ropsim.studio.wire.orders import LiveControl, LiveOverride, LiveSpeed, Order, SetSignal
+from ropsim.studio.testing import LiveControl, LiveOverride, LivePace, LiveSpeed, Order, PacedClock, SetSignal
 from ropsim.workbench import Project, open_overlaid
 from support.examples import examples
 from support.live import KEYS, FakeLine, project

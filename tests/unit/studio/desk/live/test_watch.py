@@ -9,14 +9,24 @@ import pytest
 
 from ropsim.flow import MoveEvent, OutputEvent, OverrideChange, Recording, TaskEvent, WaitEvent
 from ropsim.simulation import Fidelity, RunOptions, RunView, run
-from ropsim.studio.desk.clock import PacedClock
-from ropsim.studio.desk.finished import Shelf
-from ropsim.studio.desk.line import Cancelled
-from ropsim.studio.desk.live.run import Clocks, run_live
-from ropsim.studio.desk.live.watch import LivePace
-from ropsim.studio.wire.jobs import LiveBegin, LiveStart
-from ropsim.studio.wire.orders import Cancel, LiveControl, LiveOverride, LiveSpeed, Order, SetSignal
-from ropsim.studio.wire.replies import LiveFrame, RunReply
+from ropsim.studio.testing import (
+    Cancel,
+    Cancelled,
+    Clocks,
+    LiveBegin,
+    LiveControl,
+    LiveFrame,
+    LiveOverride,
+    LivePace,
+    LiveSpeed,
+    LiveStart,
+    Order,
+    PacedClock,
+    RunReply,
+    SetSignal,
+    Shelf,
+    run_live,
+)
 from ropsim.views import packed_event
 from ropsim.workbench import open_overlaid
 from support.live import KEYS, FakeLine, project
