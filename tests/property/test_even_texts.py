@@ -23,7 +23,7 @@ from ropsim.language.cutting.line_kinds import kinds_of
 from ropsim.lsp.testing import ASKED
 from ropsim.records import read_inputs
 from ropsim.workbench import read_robot
-from ropsim.workbench.testing import told_tasks
+from ropsim.workbench.testing import declared_tasks
 from ropsim.workspace import read_points
 from support.editors import Editor, place, uri_of
 from support.work import calls_of
@@ -79,7 +79,7 @@ READERS: dict[str, Callable[[str, Path], object]] = {
     "points.csv": lambda text, _: read_points(SourceText("p.csv", text)),
     "trace.csv": lambda text, _: read_trace(text.encode(), JOINTS, "t.csv"),
     "inputs.json": _inputs,
-    "tasks.pl": lambda text, _: told_tasks([SourceText("a.pl", text)]),
+    "tasks.pl": lambda text, _: declared_tasks([SourceText("a.pl", text)]),
     **{f"robot.{ending}": _robot(ending) for ending in ("toml", "urdf", "xacro", "xml", "sdf", "stp")},
 }
 

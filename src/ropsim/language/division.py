@@ -53,7 +53,7 @@ def divided(source: SourceText, environment: Environment, report: Report, db: Da
         TooManyFindingsError: the list is full.
     """
     steps = walk_chunks(source, environment, db)
-    trail = db.beside(_TRAIL, Trail)
+    trail = db.auxiliary(_TRAIL, Trail)
     above, below = _remaining(steps, trail.steps)
     firsts = _firsts(steps, trail.firsts, above, below)
     found = _spliced(trail.found, above, [one.found for one in steps[above : len(steps) - below]], below)

@@ -4,7 +4,7 @@ from collections.abc import Generator, Iterator, Mapping
 
 from ropsim.prolog.diagnostics import WRONG_USE
 from ropsim.prolog.errors import GoalError
-from ropsim.prolog.failures import answer_of, failures_told
+from ropsim.prolog.failures import answer_of, failures_raised
 from ropsim.prolog.terms.terms import Term
 
 Answer = Mapping[str, Term]
@@ -83,7 +83,7 @@ class Answers(Iterator[Answer]):
             raise StopIteration
         self._ended = True  # unless there is an answer
         try:
-            with failures_told():
+            with failures_raised():
                 reply = self._stack.next(self._goal)
                 answer = None if reply is None else answer_of(reply)
         except BaseException:
@@ -99,7 +99,7 @@ class Answers(Iterator[Answer]):
         """Request no more answers."""
         self._ended = True
         self._goal.is_wanted = False
-        with failures_told():
+        with failures_raised():
             self._stack.sweep()
 
     def __del__(self) -> None:

@@ -11,7 +11,7 @@ from ropsim.prolog.clauses import findings_of
 from ropsim.prolog.diagnostics import NOT_FOR_NATIVE, WRONG_USE
 from ropsim.prolog.door import Door
 from ropsim.prolog.errors import GoalError
-from ropsim.prolog.failures import failure_of, failures_told, taken
+from ropsim.prolog.failures import failure_of, failures_raised, taken
 from ropsim.prolog.limits import Limits
 from ropsim.prolog.loading import load_findings, loaded_module
 from ropsim.prolog.native.program import NativeProgram
@@ -200,7 +200,7 @@ class Engine:
         Raises:
             GoalError: the reply is an error, Prolog was stopped or has crashed.
         """
-        with failures_told():
+        with failures_raised():
             reply = self._prolog().once(name, request, self.limits.seconds)
         if isinstance(reply, Struct) and reply.name in {"stopped", "error", "uncaught"}:
             raise failure_of(reply)
@@ -227,7 +227,7 @@ class Engine:
             running = RunningProlog(self.limits, self._door.answer, _START[self.prolog])
             self._running = running
             try:
-                with failures_told():
+                with failures_raised():
                     self._replay(running)
             except BaseException:  # contents not transferred now would never be
                 self.close()
@@ -263,15 +263,15 @@ class Engine:
     def _open_door(self, running: RunningProlog) -> None:
         running.write(DOOR, self._door.text().encode())
         seconds = max(self.limits.seconds, OPENING)
-        with failures_told():
+        with failures_raised():
             reply = running.once("open_door", Atom(running.place(DOOR)), seconds)
         taken(reply)
 
     def _load(self, running: RunningProlog, loaded: LoadedText) -> Term:
         running.write(loaded.path, loaded.content)
-        with failures_told():
+        with failures_raised():
             return running.once("load", loaded.request(running.place(loaded.path)), self.limits.seconds)
 
     def _give(self, running: RunningProlog, module: str, facts: tuple[Term, ...]) -> Term:
-        with failures_told():
+        with failures_raised():
             return running.once("put_facts", Struct("facts", (Atom(module), facts)), self.limits.seconds)

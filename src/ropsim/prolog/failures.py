@@ -79,7 +79,7 @@ def failure_of(reply: Term) -> GoalError:
 
 
 @contextmanager
-def failures_told() -> Iterator[None]:
+def failures_raised() -> Iterator[None]:
     """Turn terminations of an engine and error replies into exceptions with words.
 
     Raises:

@@ -148,7 +148,7 @@ class Database:
             self._running[-1].inputs[found] = None
         return found.value if found is not None else None
 
-    def beside(self, name: Hashable, make: Callable[[], T]) -> T:
+    def auxiliary(self, name: Hashable, make: Callable[[], T]) -> T:
         """Return an auxiliary object that no answer depends on; made on the first call."""
         found: T | None = self.read(name)
         if found is None:

@@ -119,7 +119,7 @@ class Host:
         ready = Struct(":", (Atom("ropsim_kb"), Atom("ready")))
         return self._asked(module, Struct(",", (ready, goal)), Limits(seconds))["Found"]
 
-    def ask_told(self, module: str, goal: Struct, seconds: float, progress: Progress | None) -> Term:
+    def ask_with_progress(self, module: str, goal: Struct, seconds: float, progress: Progress | None) -> Term:
         """Return the same, reporting progress.
 
         Raises:

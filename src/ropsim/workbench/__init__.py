@@ -65,10 +65,10 @@ from ropsim.workbench.sessions.session import session_text as session_text
 from ropsim.workbench.sessions.session import taken_back as taken_back
 from ropsim.workbench.sessions.session import told as told
 from ropsim.workbench.sessions.session_words import words_for as words_for
+from ropsim.workbench.tasks.declared_tasks import DeclaredTask as DeclaredTask
 from ropsim.workbench.tasks.task_texts import NO_TASKS as NO_TASKS
 from ropsim.workbench.tasks.task_texts import TaskTexts as TaskTexts
 from ropsim.workbench.tasks.task_texts import read_task_texts as read_task_texts
-from ropsim.workbench.tasks.told_tasks import ToldTask as ToldTask
 from ropsim.workbench.what_if import Change as Change
 from ropsim.workbench.what_if import Subject as Subject
 from ropsim.workbench.what_if import WhatIfError as WhatIfError

@@ -11,7 +11,7 @@ from ropsim.workbench.report import NOT_BUILT as NOT_BUILT
 from ropsim.workbench.report import OTHER_ARM as OTHER_ARM
 from ropsim.workbench.report import Report as Report
 from ropsim.workbench.report import built_viewer as built_viewer
-from ropsim.workbench.tasks.told_tasks import told_tasks as told_tasks
+from ropsim.workbench.tasks.declared_tasks import declared_tasks as declared_tasks
 from ropsim.workbench.what_if.change import NOTHING_COMPARED as NOTHING_COMPARED
 from ropsim.workbench.what_if.comparing import content_of as content_of
 from ropsim.workbench.workspace import questions as questions

@@ -203,7 +203,7 @@ def test_an_edit_of_a_text_without_tasks_reaches_the_lines_around_it(
     assert FLAT.count(old) == 1
     editor.edited(FLAT.replace(old, new))
     assert len(editor.ran("checked_part")) <= checked
-    assert len(editor.ran("walked_part")) <= checked
+    assert len(editor.ran("inferred_part")) <= checked
     assert len(editor.ran("lowered_part")) <= lowered
     assert len(editor.ran("parsed")) <= 1
 
@@ -212,7 +212,7 @@ def test_a_line_that_is_being_written_reaches_the_lines_around_it() -> None:
     editor = Editor(FLAT)
     result = editor.edited(FLAT.replace("lin (400, 30, 300)", "lin (400, 30, 300) sped"))
     assert [one.code for one in result.diagnostics] == ["L101"]
-    assert len(editor.ran("checked_part")) == len(editor.ran("walked_part")) == 1
+    assert len(editor.ran("checked_part")) == len(editor.ran("inferred_part")) == 1
 
 
 def test_a_type_reaches_all_lines_that_read_the_variable() -> None:

@@ -24,7 +24,7 @@ from ropsim.workbench import (
     open_overlaid,
     read_task_texts,
 )
-from ropsim.workbench.testing import Mentions, told_tasks
+from ropsim.workbench.testing import Mentions, declared_tasks
 
 CELL = SourceText(
     "cell.toml",
@@ -247,7 +247,7 @@ def test_a_task_is_called_however_its_head_is_written(head: str) -> None:
 
 def test_texts_without_tasks_or_with_comments_that_do_not_end_tell_none() -> None:
     for text in ("", "a.", "task(/* zed(L)", "task('zed(L)", "'t\\x62\\sk'(zed)", "task('a b'(L))"):
-        assert told_tasks((SourceText("kb/a.pl", text),)) == {}
+        assert declared_tasks((SourceText("kb/a.pl", text),)) == {}
 
 
 def test_texts_that_are_not_saved_count_and_users_have_a_folder_of_their_own(

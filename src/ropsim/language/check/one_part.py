@@ -62,7 +62,7 @@ class Left:
 
 
 @frozen_dataclass
-class WalkedPart:
+class InferredPart:
     """Result of the inference pass for a part.
 
     Attributes:
@@ -94,7 +94,7 @@ class CheckedPart:
         calls: tasks that it calls, and where.
         late: unreachable statements, and the statements before them.
         end: number of the first statement that does not go on, None where all do.
-        looked_around: whether the names of all variables before it may be needed for it.
+        read_all_names: whether the names of all variables before it may be needed for it.
     """
 
     left: Left
@@ -110,22 +110,22 @@ class CheckedPart:
     calls: tuple[tuple[str, Span], ...]
     late: tuple[tuple[Span, Span], ...]
     end: int | None
-    looked_around: bool
+    read_all_names: bool
 
 
 @frozen_dataclass
 class PartAlone:
     """A part that depends on no type inferred elsewhere: one pass finds its types and its errors."""
 
-    walked: WalkedPart
+    walked: InferredPart
     checked: CheckedPart
 
 
-class ToldElsewhereError(Exception):
+class InferredElsewhereError(Exception):
     """The type of a variable is not determined where the part makes it."""
 
 
-def walked_part(world: World, part: Part, sight: Sight, states: Mapping[str, AnyState]) -> WalkedPart:
+def inferred_part(world: World, part: Part, sight: Sight, states: Mapping[str, AnyState]) -> InferredPart:
     """Return the inference results of a part.
 
     Args:
@@ -146,7 +146,7 @@ def walked_part(world: World, part: Part, sight: Sight, states: Mapping[str, Any
     firsts = {id(cell.root()): name for name, cell in reversed(cells.items())}
     types = {name: _state(name, one, firsts) for name, one in body.variables.items()}
     told = {name: _state(name, Variable(name, cell), firsts) for name, cell in cells.items()}
-    return WalkedPart(_left(body, inner), types, told)
+    return InferredPart(_left(body, inner), types, told)
 
 
 def checked_part(world: World, part: Part, sight: Sight, types: Mapping[str, Type]) -> CheckedPart:
@@ -158,28 +158,28 @@ def part_alone(world: World, part: Part, sight: Sight) -> PartAlone | None:
     """Return a part whose variables have their types at their first assignment; None for any other.
 
     Args:
-        world: declarations of the text; it raises `ToldElsewhereError` if a type depends on other bodies.
+        world: declarations of the text; it raises `InferredElsewhereError` if a type depends on other bodies.
         part: of the control statements.
         sight: context before it, without open types.
     """
     body = Body(world, Report(part.unit), EXPRESSIONS, _at_once, sight=sight)
     try:
         checked = _checked(body, part)
-    except ToldElsewhereError:
+    except InferredElsewhereError:
         return None
     types = {name: settled(one.type) for name, one in body.variables.items()}
-    return PartAlone(WalkedPart(checked.left, types, {}), checked)
+    return PartAlone(InferredPart(checked.left, types, {}), checked)
 
 
 def _at_once(_: str, kind: AnyType | None) -> Type:
     """Return the type with which a variable is made.
 
     Raises:
-        ToldElsewhereError: only later use determines the type.
+        InferredElsewhereError: only later use determines the type.
     """
     if isinstance(kind, Type):
         return kind
-    raise ToldElsewhereError
+    raise InferredElsewhereError
 
 
 def _checked(body: Body, part: Part) -> CheckedPart:
@@ -201,7 +201,7 @@ def _checked(body: Body, part: Part) -> CheckedPart:
         tuple((one.task, one.span) for one in walk(block) if isinstance(one, Call)),
         tuple(late(block)),
         next((number for number, statement in enumerate(block) if not goes_on(statement)), None),
-        body.looked_around,
+        body.read_all_names,
     )
 
 

@@ -83,7 +83,7 @@ def code_of(checked: Checked, places: SourceMap, db: Database) -> tuple[Code, tu
     db.give({VARIABLES: checked.program.main_locals})
     declared = db.ask(declared_variables)
     header = linked(checked.program, usage, (), every_axes, declared, places.source, libraries)
-    made_of = CodeParts(start, parts, tasks, places, db.beside(_PLACED, PlacedCode))
+    made_of = CodeParts(start, parts, tasks, places, db.auxiliary(_PLACED, PlacedCode))
     return Code(header, partial(put_together, header, made_of)), tuple(findings)
 
 

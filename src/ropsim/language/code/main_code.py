@@ -59,7 +59,7 @@ class LoweredParts:
 def lowered_groups(db: Database, guess: int | None) -> dict[Group, LoweredParts]:
     """Return the groups of parts of the control statements that are reached, each lowered as one."""
     found: dict[Group, LoweredParts] = {(START,): db.ask(lowered_in, (START,), guess)}
-    trail = db.beside(_TRAIL, _Trail)
+    trail = db.auxiliary(_TRAIL, _Trail)
     before: dict[Group, dict[str, int]] = {}
     numbers: dict[str, int] = {}
     for group in (*db.ask(part_groups), (END,)):

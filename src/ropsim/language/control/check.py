@@ -39,7 +39,7 @@ class _Step:
         impossible: arcs and curves of it whose points make none.
         start: where the arm is before it, if that is known.
         end: the same behind it.
-        looked_around: whether it read the names of all variables before it.
+        read_all_names: whether it read the names of all variables before it.
     """
 
     unit: str
@@ -50,7 +50,7 @@ class _Step:
     impossible: tuple[Diagnostic, ...]
     start: KnownPlace | None
     end: KnownPlace | None
-    looked_around: bool
+    read_all_names: bool
 
     @property
     def left(self) -> Left:
@@ -70,7 +70,7 @@ class _Stage:
         left: their effect on later parts.
         start: where the arm is before them, if that is known.
         end: the same behind them.
-        looked_around: whether one read the names of all variables before it.
+        read_all_names: whether one read the names of all variables before it.
         found: their result.
     """
 
@@ -81,7 +81,7 @@ class _Stage:
     left: Left
     start: KnownPlace | None
     end: KnownPlace | None
-    looked_around: bool
+    read_all_names: bool
     found: CheckedParts
 
 
@@ -109,7 +109,7 @@ class _Check(Stages[_Step, _Stage]):
         """Return whether all parts of a group with unchanged context would have unchanged results."""
         return (
             stage.start == self._place
-            and not stage.looked_around
+            and not stage.read_all_names
             and self._new_types.isdisjoint(stage.makes)
             and self._db.known(questions.checked_in, stage.group) is not None
         )
@@ -136,15 +136,15 @@ class _Check(Stages[_Step, _Stage]):
         if known is None or is_new or known.makes is not makes or not self._new_types.isdisjoint(makes):
             give_equal(db, (questions.TYPES, unit), self._types_of(makes))
         found = db.ask(questions.checked_part, unit, None)
-        looked_around = found.looked_around
-        if looked_around:
+        read_all_names = found.read_all_names
+        if read_all_names:
             names = self.catch_up().names
             around = tuple(name for name, one in names.items() if not isinstance(one.symbol, Poison | None))
             found = db.ask(questions.checked_part, unit, around)
         db.give({(questions.BLOCK, unit): found.block})
         impossible, self._place = db.ask(questions.points, unit, start)
         before, end = db.read(key), self._place
-        return _Step(unit, mentions, makes, before, found, impossible, start, end, looked_around)
+        return _Step(unit, mentions, makes, before, found, impossible, start, end, read_all_names)
 
     def pass_by(self, one: _Step | _Stage) -> None:
         """Skip an unchanged part, or a group of them."""
@@ -166,14 +166,14 @@ class _Check(Stages[_Step, _Stage]):
             left_by(one.left for one in steps),
             steps[0].start,
             steps[-1].end,
-            any(one.looked_around for one in steps),
+            any(one.read_all_names for one in steps),
             joined([one.found for one in steps], [one.impossible for one in steps]),
         )
 
 
 def check_control(db: Database, types: Mapping[str, Type]) -> Outcome:
     """Return the control statements, checked; `types` are the types of all their variables."""
-    trail = db.beside(_TRAIL, _Trail)
+    trail = db.auxiliary(_TRAIL, _Trail)
     is_inferred = questions.inferred(db) is not None
     is_known = trail.types is types or (trail.types is not None and not is_inferred)
     new_types = _other(trail.types, types) if trail.types is not None and trail.types is not types else ()

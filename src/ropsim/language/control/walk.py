@@ -10,7 +10,7 @@ from typing import Protocol, cast
 
 from ropsim.core import frozen_dataclass
 from ropsim.language import questions
-from ropsim.language.check.one_part import AnyState, Left, Open, WalkedPart
+from ropsim.language.check.one_part import AnyState, InferredPart, Left, Open
 from ropsim.language.check.scope.sight import Seen
 from ropsim.language.check.scope.types import OPEN, Type
 from ropsim.language.check.scope.world import Variable
@@ -31,7 +31,7 @@ class _Step:
     unit: str
     mentions: tuple[str, ...]
     before: Before
-    found: WalkedPart
+    found: InferredPart
 
     @property
     def left(self) -> Left:
@@ -151,7 +151,7 @@ class _Walk(Stages[_Step, _Stage]):
 
     def is_step_as_before(self, step: _Step) -> bool:
         """Return whether a part with unchanged context would have an unchanged result."""
-        return not self._is_other and self._db.known(questions.walked_part, step.unit) is step.found
+        return not self._is_other and self._db.known(questions.inferred_part, step.unit) is step.found
 
     def step(self, unit: str, known: _Step | None) -> _Step:
         """Process a part; `known` is its last result if its context is unchanged."""
@@ -166,7 +166,7 @@ class _Walk(Stages[_Step, _Stage]):
         ):
             way = self.catch_up()
             give_equal(db, key, way.before(mentions, tuple(self._telling.states(way, mentions))))
-        return _Step(unit, mentions, db.read(key), db.ask(questions.walked_part, unit))
+        return _Step(unit, mentions, db.read(key), db.ask(questions.inferred_part, unit))
 
     def leaves_as_before(self, before: _Step, step: _Step) -> bool:
         """Return whether the effect of a part on later parts is unchanged."""
@@ -198,7 +198,7 @@ class _Walk(Stages[_Step, _Stage]):
 
 def walk_control(db: Database) -> Walked:
     """Return the types of the variables of the control statements."""
-    trail = db.beside(_TRAIL, _Trail)
+    trail = db.auxiliary(_TRAIL, _Trail)
     stages = _Walk(db).go_through(db.ask(questions.part_groups), trail.stages)
     if trail.result is None or not _is_same(stages, trail.stages):
         telling = _Telling()

@@ -118,7 +118,7 @@ def walk_chunks(source: SourceText, environment: Environment, db: Database) -> l
 
     Chunks with an unchanged reading, on both sides of an edit, are the same objects.
     """
-    trail = db.beside(_TRAIL, _Trail)
+    trail = db.auxiliary(_TRAIL, _Trail)
     cut = recut(source.with_line_feeds(), trail.cut)
     remains = _Remains(cut.above, cut.below)
     found = _parsed(cut.chunks, remains, trail.found, db)

@@ -55,9 +55,9 @@ from ropsim.language.questions.inputs import TYPES as TYPES
 from ropsim.language.questions.inputs import WALKED_CONTROL as WALKED_CONTROL
 from ropsim.language.questions.parts import checked_in as checked_in
 from ropsim.language.questions.parts import checked_part as checked_part
+from ropsim.language.questions.parts import inferred_part as inferred_part
 from ropsim.language.questions.parts import mentions as mentions
 from ropsim.language.questions.parts import points as points
 from ropsim.language.questions.parts import variables_of as variables_of
 from ropsim.language.questions.parts import walked_in as walked_in
-from ropsim.language.questions.parts import walked_part as walked_part
 from ropsim.language.questions.told import inferred as inferred

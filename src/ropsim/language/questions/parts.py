@@ -5,7 +5,7 @@ from functools import partial
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.language.blocks.units import Part, lines_of
 from ropsim.language.check import one_part
-from ropsim.language.check.one_part import AnyState, CheckedPart, PartAlone, WalkedPart
+from ropsim.language.check.one_part import AnyState, CheckedPart, InferredPart, PartAlone
 from ropsim.language.check.scope.fold import IDENTITY
 from ropsim.language.check.scope.sight import Seen, Sight
 from ropsim.language.check.scope.types import Type
@@ -62,19 +62,19 @@ def part_alone(db: Database, unit: str) -> PartAlone | None:
     return one_part.part_alone(world_alone(db), _part(db, unit), _sight(db, unit, before, None))
 
 
-def walked_part(db: Database, unit: str) -> WalkedPart:
+def inferred_part(db: Database, unit: str) -> InferredPart:
     """Return the inference result of a part."""
     alone = db.ask(part_alone, unit)
     if alone is not None:
         return alone.walked
     before: Before = db.read((BEFORE_WALK, unit))
     world = world_of(db, partial(own_signature, db))
-    return one_part.walked_part(world, _part(db, unit), _sight(db, unit, before, ()), dict(before.states))
+    return one_part.inferred_part(world, _part(db, unit), _sight(db, unit, before, ()), dict(before.states))
 
 
 def variables_of(db: Database, unit: str) -> tuple[str, ...]:
     """Return the variables that a part makes."""
-    return tuple(db.ask(walked_part, unit).types)
+    return tuple(db.ask(inferred_part, unit).types)
 
 
 def checked_part(db: Database, unit: str, around: tuple[str, ...] | None) -> CheckedPart:
@@ -106,7 +106,7 @@ def _is_as_walked(db: Database, unit: str, before: Before) -> bool:
 
 def walked_in(db: Database, group: Group) -> int:
     """Infer the types of a group of parts; return their number."""
-    return len([db.ask(walked_part, unit) for unit in group])
+    return len([db.ask(inferred_part, unit) for unit in group])
 
 
 def checked_in(db: Database, group: Group) -> int:

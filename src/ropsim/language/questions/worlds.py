@@ -3,7 +3,7 @@
 from collections.abc import Callable, Container, Mapping
 from dataclasses import replace
 
-from ropsim.language.check.one_part import ToldElsewhereError
+from ropsim.language.check.one_part import InferredElsewhereError
 from ropsim.language.check.scope.table import Marked, Table
 from ropsim.language.check.scope.types import is_open, opened
 from ropsim.language.check.scope.world import Signature, Symbol, TaskOrigins, Variable, World
@@ -23,18 +23,18 @@ def world_of(db: Database, called: Callable[[str], Signature | None]) -> World:
 def world_alone(db: Database) -> World:
     """Return the world for a part whose types no other body determines.
 
-    It raises `ToldElsewhereError` if the part reads a task, or at a variable of open type.
+    It raises `InferredElsewhereError` if the part reads a task, or at a variable of open type.
     """
 
     def called(name: str) -> Signature | None:
         if db.ask(is_own, name) or db.ask(library, name) is not None:
-            raise ToldElsewhereError
+            raise InferredElsewhereError
         return None
 
     def symbol_of(name: str) -> Symbol | None:
         found = db.ask(declared_symbol, name)
         if isinstance(found, Variable) and is_open(found.type):
-            raise ToldElsewhereError
+            raise InferredElsewhereError
         return found
 
     symbols: Table[Symbol] = Table(symbol_of, lambda: db.ask(names_in, "symbols"))

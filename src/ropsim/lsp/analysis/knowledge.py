@@ -8,7 +8,7 @@ from ropsim.core import SourceText
 from ropsim.lsp.protocol.document import Document
 from ropsim.lsp.protocol.messages import Json
 from ropsim.lsp.protocol.parameters import Position
-from ropsim.workbench import TaskTexts, ToldTask
+from ropsim.workbench import DeclaredTask, TaskTexts
 
 _TASK, _PROPERTY, _KIND, _STATEMENT, _CONDITION = 3, 10, 25, 14, 8
 """Kinds of completions in the protocol."""
@@ -63,12 +63,12 @@ def _around(text: str) -> str:
     return next((name for name, sign in reversed(opened) if sign == "("), "")
 
 
-def not_named(tasks: TaskTexts, known: Collection[str]) -> Iterator[ToldTask]:
+def not_named(tasks: TaskTexts, known: Collection[str]) -> Iterator[DeclaredTask]:
     """Yield the tasks that a program can call and does not yet."""
     yield from (one for one in tasks.told.values() if one.name not in known)
 
 
-def task_item(task: ToldTask) -> Json:
+def task_item(task: DeclaredTask) -> Json:
     """Return the completion item of a task."""
     return _item(task.name, _TASK, f"({', '.join(task.parameters)})", task.doc)
 
@@ -103,7 +103,7 @@ def place_of_task(
     return {"uri": there.uri, "range": there.range_of(task.span)}
 
 
-def place_words(task: ToldTask) -> str:
+def place_words(task: DeclaredTask) -> str:
     """Return where a task is, as people say it."""
     return f"{'/'.join(PurePath(task.span.source).parts[-2:])}, line {task.span.line}"
 

@@ -26,7 +26,7 @@ class LineState(StrEnum):
 
 
 @frozen_dataclass
-class ToldLine:
+class LineStatus:
     """A line on which the robot moves, grips or waits.
 
     Attributes:
@@ -42,7 +42,7 @@ class ToldLine:
 
 def line_states(
     document: Document, documents: Mapping[str, Document], workshop: Workshop
-) -> tuple[ToldLine, ...]:
+) -> tuple[LineStatus, ...]:
     """Return the lines of a program that have a result, in order; in a text with errors nothing is valid.
 
     In that case they are the contents of the last text without errors, as far as the lines are equal.
@@ -59,7 +59,7 @@ def line_states(
         }
     else:
         states = dict.fromkeys(workshop.lines_before(document), (otherwise, ""))
-    return tuple(ToldLine(line, *states[line]) for line in sorted(states))
+    return tuple(LineStatus(line, *states[line]) for line in sorted(states))
 
 
 def states_message(document: Document, documents: Mapping[str, Document], workshop: Workshop) -> Json:

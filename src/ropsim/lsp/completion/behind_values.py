@@ -131,7 +131,7 @@ _NOT = tuple(some_words(words.INNER, ("not",), "1"))
 _ORDER = {">": "until SIGNAL > value", "<": "until SIGNAL < value"}
 
 
-def begun_guard(lead: str, known: Iterable[Known]) -> list[Json] | None:
+def guard_completions(lead: str, known: Iterable[Known]) -> list[Json] | None:
     """Return the signals that a motion can monitor, or the operators of an analog signal; else None.
 
     Args:

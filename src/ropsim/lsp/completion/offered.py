@@ -11,7 +11,7 @@ from ropsim.lsp.protocol.parameters import Position
 _WORD = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"
 
 
-def begun_word(line: str) -> str:
+def incomplete_word(line: str) -> str:
     """Return the incomplete word at the end of a line."""
     return line[len(line.rstrip(_WORD)) :]
 
@@ -35,6 +35,6 @@ def offered(
         for uri, content in ((path.absolute().as_uri(), content) for path, content in (unsaved or {}).items())
     }
     at = Position(whole.count("\n"), len(line.rpartition("\n")[2].encode("utf-16-le")) // 2)
-    begun = begun_word(line).lower()
+    begun = incomplete_word(line).lower()
     labels = sorted({str(one["label"]) for one in proposed(document, at, documents, workshop)})
     return tuple(label for label in labels if label.lower().startswith(begun))

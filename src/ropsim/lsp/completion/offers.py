@@ -16,7 +16,7 @@ from ropsim.lsp.cell.completion import proposed_in_cell
 from ropsim.lsp.cell.place import is_cell_file
 from ropsim.lsp.completion import words
 from ropsim.lsp.completion.begun import Numbers, continues, in_number
-from ropsim.lsp.completion.behind_values import begun_guard, behind_value
+from ropsim.lsp.completion.behind_values import behind_value, guard_completions
 from ropsim.lsp.completion.expected import expected, in_call, type_of
 from ropsim.lsp.completion.items import (
     KEYWORD,
@@ -115,7 +115,7 @@ def proposed(
     around = workshop.named(document, documents)
     of_text = names.of_text(workshop.uses(document, documents), position.line, checked)
     known = {(_table_of(one.role), one.name): one for one in chain(names.of_cell(around), of_text)}
-    guard = begun_guard(lead, known.values())
+    guard = guard_completions(lead, known.values())
     if guard is not None:
         return guard
     if place is Place.POSTURE:

@@ -4,7 +4,7 @@ import time
 from pathlib import Path
 
 from ropsim.core import RopsimError
-from ropsim.lsp import Workshop, begun_word, offered
+from ropsim.lsp import Workshop, incomplete_word, offered
 from ropsim.simulation import NobodyWatches, RunOptions, RunView
 from ropsim.studio.desk.finished import Shelf
 from ropsim.studio.desk.line import Line
@@ -74,12 +74,12 @@ class ToldRobot:
         try:
             text = session_text(open_overlaid(folder, job.texts, self._workspace), job.commands)
         except RopsimError:
-            return OfferedReply(begun_word(last), ())
+            return OfferedReply(incomplete_word(last), ())
         unsaved = {folder / name: text for name, text in job.texts.items()}
         place = folder / "programs" / "session.task"
         words = words_for(job.line) if "\n" not in job.line else ()
         found = offered(text, job.line, place, self._workshop, unsaved)
-        return OfferedReply(begun_word(last), tuple(sorted({*words, *found})))
+        return OfferedReply(incomplete_word(last), tuple(sorted({*words, *found})))
 
     def _so_far(self, project: Project, commands: tuple[str, ...], options: RunOptions) -> Session:
         """Return the session with some commands; they are carried out again where texts have changed.

@@ -78,7 +78,7 @@ def planned(
     wanted = ordered(map(fact_of, goal))
     asked = Struct("plan", (state.facts, wanted, Var("Found")))
     try:
-        found = host.ask_told("ropsim_planner", asked, seconds, progress)
+        found = host.ask_with_progress("ropsim_planner", asked, seconds, progress)
     except GoalError as error:
         return Plan((), (_stopped(error, seconds),), 0)
     match found:

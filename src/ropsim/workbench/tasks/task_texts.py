@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ropsim.core import Diagnostic, SourceText, configuration_folder, frozen_dataclass
-from ropsim.workbench.tasks.told_tasks import ToldTask, library_texts, told_tasks
+from ropsim.workbench.tasks.declared_tasks import DeclaredTask, declared_tasks, library_texts
 
 if TYPE_CHECKING:
     from ropsim.tasks import KnowledgeBase
@@ -30,9 +30,9 @@ class TaskTexts:
     findings: tuple[Diagnostic, ...] = ()
 
     @property
-    def told(self) -> Mapping[str, ToldTask]:
+    def told(self) -> Mapping[str, DeclaredTask]:
         """Return the tasks in these texts and in the library, the first of each name."""
-        return told_tasks((*self.own, *self.users, *library_texts()))
+        return declared_tasks((*self.own, *self.users, *library_texts()))
 
     def text(self, name: str) -> SourceText | None:
         """Return the text of a name."""

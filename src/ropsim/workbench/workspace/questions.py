@@ -19,8 +19,8 @@ from ropsim.query import Database, always_new
 from ropsim.workbench.compiling.at_station import AtStation, unbound
 from ropsim.workbench.compiling.compiled_project import CheckedText, CompiledProgram
 from ropsim.workbench.compiling.environment import environment_of
+from ropsim.workbench.tasks.declared_tasks import declared_tasks
 from ropsim.workbench.tasks.task_texts import NO_TASKS, TaskEngine, TaskTexts
-from ropsim.workbench.tasks.told_tasks import told_tasks
 from ropsim.workbench.workspace.answer_form import (
     Translation,
     UnknownFormError,
@@ -106,7 +106,7 @@ def listed_tasks(db: Database, cell: str) -> tuple[str, ...]:
 def own_tasks(db: Database, cell: str) -> tuple[str, ...]:
     """Return those defined by the project or its user."""
     texts = _task_texts(db, cell)
-    return tuple(told_tasks((*texts.own, *texts.users)))
+    return tuple(declared_tasks((*texts.own, *texts.users)))
 
 
 def tasks_in(db: Database, name: str) -> frozenset[str]:

@@ -95,7 +95,7 @@ class Body:
         depth: nesting of the lines in hand; 1 outside all blocks.
         is_tolerant: unknown names are not reported (the header of the task could not be read).
         sight: context of this part of a body.
-        looked_around: whether all names were requested and `sight` did not contain them.
+        read_all_names: whether all names were requested and `sight` did not contain them.
         made: variables that an assignment made, and where.
         declared: variables of all tasks that lines of this part declare by their first values, and where.
         unfit: values that do not fit first values.
@@ -126,7 +126,7 @@ class Body:
         self.report = report
         self.expressions = expressions
         self.sight = sight
-        self.looked_around = False
+        self.read_all_names = False
         self.names: dict[str, Symbol] = sight.symbols()
         self.variables: dict[str, Variable] = {}
         self.past = {name for name, one in sight.names.items() if one.is_past}
@@ -209,7 +209,7 @@ class Body:
     def visible(self) -> dict[str, Symbol | None]:
         """Return all visible names except those declared or of the cell; None for names of earlier parts."""
         if self.sight.around is None:
-            self.looked_around = True
+            self.read_all_names = True
         return {**dict.fromkeys(self.sight.around or ()), **self.names}
 
     def declared_names(self) -> tuple[str, ...]:

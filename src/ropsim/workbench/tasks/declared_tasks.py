@@ -62,7 +62,7 @@ _BY_STATE = frozenset(("part", "tool", "device", "thing"))
 
 
 @frozen_dataclass
-class ToldTask:
+class DeclaredTask:
     """A task as declared in its text.
 
     Attributes:
@@ -81,9 +81,9 @@ class ToldTask:
         return f"{self.name}({', '.join(self.parameters)})"
 
 
-def told_tasks(texts: Iterable[SourceText]) -> Mapping[str, ToldTask]:
+def declared_tasks(texts: Iterable[SourceText]) -> Mapping[str, DeclaredTask]:
     """Return the tasks of some texts by name; of two with one name the first counts."""
-    found: dict[str, ToldTask] = {}
+    found: dict[str, DeclaredTask] = {}
     for text in texts:
         for one in _told(text):
             found.setdefault(one.name, one)
@@ -91,7 +91,7 @@ def told_tasks(texts: Iterable[SourceText]) -> Mapping[str, ToldTask]:
 
 
 @lru_cache(maxsize=4096)
-def _told(text: SourceText) -> tuple[ToldTask, ...]:
+def _told(text: SourceText) -> tuple[DeclaredTask, ...]:
     heads = tuple(_heads(text.text))
     ends = (*(begin for begin, _ in heads[1:]), len(text.text))
     starts = (0, *(found.end() for found in _LINE_FEED.finditer(text.text)))
@@ -111,14 +111,14 @@ def _read(name: re.Match[str]) -> str:
     return name[0] if name[1] is None else unquoted(name[1])
 
 
-def _task(text: SourceText, name: re.Match[str], end: int, starts: Sequence[int]) -> ToldTask:
+def _task(text: SourceText, name: re.Match[str], end: int, starts: Sequence[int]) -> DeclaredTask:
     """Return the task of a name, whose clause ends before `end`; `starts` are the places of all lines."""
     doc = _DOC.search(text.text, name.end(), end)
     listed = _PARAMETERS.search(text.text, name.end(), end)
     begin, behind = name.span() if name[1] is None else name.span(1)
     line = bisect_right(starts, begin)
     column = begin - starts[line - 1] + 1
-    return ToldTask(
+    return DeclaredTask(
         _read(name),
         tuple(
             f"{one.lower()}: {kind}{f' = {_default(value)}' if given else ''}"
