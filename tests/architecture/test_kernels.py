@@ -36,6 +36,7 @@ IN_PYTHON = (
     "controller/test_part_times.py",
     "planning/blends/test_blend.py",
     "planning/blends/test_joined_ends.py::test_coordinates_are_the_integral_of_the_speeds_round_every_corner[iiwa14]",
+    "planning/blends/test_joined_ends.py::test_coordinates_are_the_integral_of_the_speeds_round_every_corner[ur5e]",
     "planning/joint_limits/test_binding_kernel.py",
     "planning/joint_limits/test_joint_imposed_kernel.py",
     "planning/joint_limits/test_limit_grid_kernel.py",
