@@ -9,7 +9,7 @@ from pathlib import Path
 
 import hatch_build
 import pytest
-from hatch_build import PagesError, PagesHook, build, is_stale, main, stamp_of
+from hatch_build import BuildHook, PagesError, build, is_stale, main, stamp_of
 
 NPM = """\
 import pathlib, sys
@@ -47,9 +47,9 @@ def pages(root: Path) -> dict[str, str]:
     return {path.name: path.read_text() for path in folder.rglob("*") if path.is_file() and path.suffix}
 
 
-def hook(root: Path) -> PagesHook:
+def hook(root: Path) -> BuildHook:
     """Return the hook as hatchling makes it for a wheel."""
-    return PagesHook(str(root), {}, None, None, "", "wheel")  # type: ignore[arg-type] # it reads none of them
+    return BuildHook(str(root), {}, None, None, "", "wheel")  # type: ignore[arg-type] # it reads none of them
 
 
 def test_pages_are_stale_until_built(project: Path) -> None:

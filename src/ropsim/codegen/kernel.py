@@ -65,8 +65,21 @@ class Kernel:
     def made(self) -> Compiled:
         """Return the compiled function, or the one in Python without numba."""
         if self._made is None:
-            self._made = _compiled(self.function) if numba_available() else InPython(self.function)
+            self._made = _compiled(self) if numba_available() else InPython(self.function)
         return self._made
+
+    def signature(self) -> Signature:
+        """Return its arguments."""
+        return Signature.of(self.function)
+
+    def source(self) -> str:
+        """Return the text that decides about its machine code."""
+        return f"{_texts(self.function)}\n{self.function.__name__}\n{self.signature().entry_text()}"
+
+    def entry(self, compiler: Compiler) -> FunctionType:
+        """Return the function `entry` of `Signature.entry_text` for it."""
+        called = _scope(self.function, compiler)[self.function.__name__]
+        return entry_of(called, self.signature(), compiler)
 
 
 class InPython:
@@ -89,14 +102,11 @@ class InPython:
         return partial(self, *arguments)
 
 
-def _compiled(function: FunctionType) -> Compiled:
+def _compiled(one: Kernel) -> Compiled:
     from ropsim.codegen.machine.compiled import compiled
 
-    signature = Signature.of(function)
-    name = function.__name__
-    source = f"{_texts(function)}\n{name}\n{signature.entry_text()}"
-    plain = InPython(function)
-    return compiled(name, source, signature, lambda compiler: _entry(function, signature, compiler), plain)
+    name, plain = one.function.__name__, InPython(one.function)
+    return compiled(name, one.source(), one.signature(), one.entry, plain)
 
 
 def _texts(function: FunctionType) -> str:
@@ -129,12 +139,6 @@ def _values(function: FunctionType) -> str:
         elif isinstance(value, type) and fields_of(value):
             found.append(f"{name}={value.__name__}{fields_of(value)}")
     return " ".join(found)
-
-
-def _entry(function: FunctionType, signature: Signature, compiler: Compiler) -> FunctionType:
-    """Return the function `entry` of `Signature.entry_text` for a kernel."""
-    scope = _scope(function, compiler)
-    return entry_of(scope[function.__name__], signature, compiler)
 
 
 def entry_of(called: Callable[..., None], signature: Signature, compiler: Compiler) -> FunctionType:

@@ -1,6 +1,7 @@
 """From Python functions to one that Python calls: machine code by way of the cache folder, or a slower way.
 
-1. numba writes LLVM's text, llvmlite makes an object file of it, and the cache folder keeps that.
+1. LLVM's text comes from the archive of `prepared`, or numba writes it; llvmlite makes an object file of it,
+   and the cache folder keeps that.
 2. If that is not possible, for example with a version of numba whose stages are others, numba compiles the
    same functions by its public interface, anew in each process.
 3. If numba cannot be imported, Python runs them.
@@ -23,6 +24,7 @@ from ropsim.codegen.machine.object_code import (
     load,
     with_entry,
 )
+from ropsim.codegen.machine.prepared import prepared_name, prepared_text
 from ropsim.codegen.machine.signature import Signature
 from ropsim.core import without_collection
 
@@ -58,8 +60,29 @@ def compiled(name: str, source: str, signature: Signature, build: Build, plain: 
         with GENERATED.turn(int(digest, 16)), without_collection():
             address = kept_address(entry)  # made by another process meanwhile
             if address is None:
-                return _made(entry, signature, build, plain)
+                prepared = _from_prepared(prepared_name(name, source))
+                if prepared is None:
+                    return _made(entry, signature, build, plain)
+                address, code = prepared
+                keep_code(entry, code)
     return Call(machine_code_at(address), signature.kinds)
+
+
+def _from_prepared(name: str) -> tuple[int, MachineCode] | None:
+    """Return address and machine code of a text that came with the wheel; None if numba is needed.
+
+    Args:
+        name: as `prepared_name` returns it.
+    """
+    text = prepared_text(name)
+    if text is None:
+        return None
+    begin_compiling()
+    try:
+        code = emit_object(text, ENTRY)
+        return load(code), code
+    except (RuntimeError, NoObjectCodeError, MissingNameError):  # an older LLVM may not read the text
+        return None
 
 
 def _made(name: str, signature: Signature, build: Build, plain: Compiled) -> Compiled:

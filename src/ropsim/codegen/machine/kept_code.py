@@ -36,12 +36,12 @@ def keep_code(name: str, code: MachineCode) -> None:
 
 def digest_of(source: str) -> str:
     """Return the digest of a source and of the tools that make its machine code on this machine."""
-    made_by = f"{__version__} {_numba_version()} {sys.version_info[:3]} {host()} {_compiler()}"
+    made_by = f"{__version__} {_numba_version()} {sys.version_info[:3]} {host()} {compiler_digest()}"
     return sha256(f"{made_by}\n{source}".encode()).hexdigest()[:24]
 
 
 @cache
-def _compiler() -> str:
+def compiler_digest() -> str:
     """Return the digest of the texts of this package: they decide about the code of a source."""
     texts = sorted(Path(__file__).parents[1].rglob("*.py"))
     return sha256(b"".join(read_bytes(path) for path in texts)).hexdigest()[:24]

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 from ropsim.core import frozen_dataclass
 
 if TYPE_CHECKING:
-    from llvmlite.binding import TargetMachine
+    from llvmlite.binding import ModuleRef, TargetMachine
+    from llvmlite.binding.newpassmanagers import PipelineTuningOptions
 
 _COUNTER = "@NRT_decref"
 """The name of numba's function that counts the references to an array."""
@@ -86,13 +87,44 @@ def emit_object(ir: str, symbol: str) -> MachineCode:
     """
     import llvmlite.binding as llvm
 
+    tuning = llvm.create_pipeline_tuning_options(speed_level=3)
+    tuning.loop_vectorization, tuning.slp_vectorization = True, False  # as numba does
+    machine = _machine(llvm.get_host_cpu_name(), _features())
+    object_file = machine.emit_object(_optimised(ir, symbol, machine, tuning))
+    return MachineCode(symbol, names_from_elsewhere(object_file), object_file)
+
+
+def portable_text(ir: str, symbol: str) -> str:
+    """Return a module in LLVM's text form, shorter and for any processor with addresses of 64 bits.
+
+    The passes that need no processor are done: `emit_object` takes half of the time for it. The results of
+    the machine code stay equal to the bit, because LLVM keeps the order of all sums.
+
+    Args:
+        ir: the module as numba writes it, with `with_entry`.
+        symbol: the function that stays callable from outside.
+    """
+    import llvmlite.binding as llvm
+
+    tuning = llvm.create_pipeline_tuning_options(speed_level=2)
+    tuning.loop_vectorization, tuning.slp_vectorization = False, False
+    tuning.loop_unrolling = False
+    module = _optimised(ir, symbol, _machine("", ""), tuning)
+    module.triple = module.data_layout = ""
+    return str(module)
+
+
+def _optimised(
+    ir: str, symbol: str, machine: "TargetMachine", tuning: "PipelineTuningOptions"
+) -> "ModuleRef":
+    """Return a module for a machine after LLVM's passes; only one function stays callable from outside."""
+    import llvmlite.binding as llvm
+
     module = llvm.parse_assembly(ir)
+    module.triple, module.data_layout = machine.triple, str(machine.target_data)
     for one in (*module.functions, *module.global_variables):
         if not one.is_declaration and one.name != symbol:
             one.linkage = "internal"
-    machine = _machine()
-    tuning = llvm.create_pipeline_tuning_options(speed_level=3)
-    tuning.loop_vectorization, tuning.slp_vectorization = True, False  # as numba does
     builder = llvm.create_pass_builder(machine, tuning)
     passes = llvm.create_new_module_pass_manager()
     passes.add_ipsccp_pass()  # arrays of the caller have no counter: then the counting goes
@@ -101,8 +133,7 @@ def emit_object(ir: str, symbol: str) -> MachineCode:
     for _ in range(2 if _COUNTER in ir else 1):
         passes.run(module, builder)
         builder.getModulePassManager().run(module, builder)
-    object_file = machine.emit_object(module)
-    return MachineCode(symbol, names_from_elsewhere(object_file), object_file)
+    return module
 
 
 def load(code: MachineCode) -> int:
@@ -113,7 +144,8 @@ def load(code: MachineCode) -> int:
     """
     import llvmlite.binding as llvm
 
-    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine())
+    machine = _machine(llvm.get_host_cpu_name(), _features())
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
     if _missing(code):
         _start_numba()
     missing = _missing(code)
@@ -156,8 +188,8 @@ def _missing(code: MachineCode) -> list[str]:
     return [name for name in code.needs if not llvm.address_of_symbol(name)]
 
 
-def _machine() -> "TargetMachine":
-    """Return a new description of this processor; an engine takes it over."""
+def _machine(cpu: str, features: str) -> "TargetMachine":
+    """Return a new description of a processor of this system; an engine takes it over."""
     import llvmlite.binding as llvm
 
     llvm.initialize_native_target()
@@ -166,8 +198,8 @@ def _machine() -> "TargetMachine":
     # as numba does: code for x86 that is run where it is made must not be relocated
     reloc = "static" if target.name.startswith("x86") else "default"
     return target.create_target_machine(
-        cpu=llvm.get_host_cpu_name(),
-        features=_features(),
+        cpu=cpu,
+        features=features,
         opt=3,
         reloc=reloc,
         codemodel="jitdefault",

@@ -1,0 +1,41 @@
+"""Write LLVM's texts of all kernels: `python -m ropsim.codegen.prepare ARCHIVE`, while a wheel is made."""
+
+import sys
+from collections.abc import Iterator
+from importlib import import_module
+from pathlib import Path
+
+from ropsim.codegen.kernel import Kernel
+from ropsim.codegen.machine.object_code import ENTRY, portable_text, with_entry
+from ropsim.codegen.machine.prepared import prepared_name, write_prepared
+
+_PACKAGE = Path(__file__).parents[1]
+
+
+def kernels() -> Iterator[Kernel]:
+    """Yield all kernels of ropsim, by module and name."""
+    for path in sorted(_PACKAGE.rglob("*_kernel.py")):
+        module = import_module(".".join(("ropsim", *path.relative_to(_PACKAGE).with_suffix("").parts)))
+        for _, one in sorted(vars(module).items()):
+            if isinstance(one, Kernel) and one.function.__module__ == module.__name__:
+                yield one
+
+
+def prepare(path: Path) -> int:
+    """Write the archive and return the number of texts in it.
+
+    Raises:
+        ImportError: numba cannot be imported, or its stages are others.
+    """
+    from ropsim.codegen.machine.numba_stages import STAGES
+
+    texts: dict[str, str] = {}
+    for one in kernels():
+        text = with_entry(*STAGES.llvm_text(one.entry(STAGES)))
+        texts[prepared_name(one.function.__name__, one.source())] = portable_text(text, ENTRY)
+    write_prepared(texts, path)
+    return len(texts)
+
+
+if __name__ == "__main__":
+    sys.stdout.write(f"{prepare(Path(sys.argv[1]))} kernels prepared\n")
