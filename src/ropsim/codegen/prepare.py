@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ropsim.codegen.kernel import Kernel
 from ropsim.codegen.machine.object_code import ENTRY, portable_text, with_entry
-from ropsim.codegen.machine.prepared import prepared_name, write_prepared
+from ropsim.codegen.machine.prepared import names_in, prepared_name, write_prepared
 
 _PACKAGE = Path(__file__).parents[1]
 
@@ -22,19 +22,18 @@ def kernels() -> Iterator[Kernel]:
 
 
 def prepare(path: Path) -> int:
-    """Write the archive and return the number of texts in it.
+    """Write the archive, unless it has the texts of these kernels, and return the number of texts in it.
 
     Raises:
         ImportError: numba cannot be imported, or its stages are others.
     """
     from ropsim.codegen.machine.numba_stages import STAGES
 
-    texts: dict[str, str] = {}
-    for one in kernels():
-        text = with_entry(*STAGES.llvm_text(one.entry(STAGES)))
-        texts[prepared_name(one.function.__name__, one.source())] = portable_text(text, ENTRY)
-    write_prepared(texts, path)
-    return len(texts)
+    wanted = {prepared_name(one.function.__name__, one.source()): one for one in kernels()}
+    if names_in(path) != wanted.keys():
+        texts = {name: STAGES.llvm_text(one.entry(STAGES)) for name, one in wanted.items()}
+        write_prepared({name: portable_text(with_entry(*text), ENTRY) for name, text in texts.items()}, path)
+    return len(wanted)
 
 
 if __name__ == "__main__":

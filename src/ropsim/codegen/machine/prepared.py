@@ -55,11 +55,15 @@ def write_prepared(texts: dict[str, str], path: Path) -> None:
             archive.writestr(ZipInfo(name), text, ZIP_DEFLATED, 9)
 
 
-@cache
-def _names() -> frozenset[str]:
-    """Return the names of all texts."""
+def names_in(path: Path) -> frozenset[str]:
+    """Return the names of all texts of an archive; none if it cannot be read."""
     try:
-        with ZipFile(ARCHIVE) as archive:
+        with ZipFile(path) as archive:
             return frozenset(archive.namelist())
     except (OSError, BadZipFile):
         return frozenset()
+
+
+@cache
+def _names() -> frozenset[str]:
+    return names_in(ARCHIVE)
