@@ -91,7 +91,8 @@ def prepared_kernels(root: Path) -> Path:
     archive = root / "build" / "prepared.zip"
     archive.parent.mkdir(exist_ok=True)
     command = [sys.executable, "-m", "ropsim.codegen.prepare", str(archive)]
-    source = os.environ | {"PYTHONPATH": str(root / "src")}
+    paths = (str(root / "src"), os.environ.get("PYTHONPATH", ""))  # pip adds its build environment there
+    source = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, paths))}
     made = subprocess.run(
         command, cwd=archive.parent, env=source, capture_output=True, text=True, check=False
     )

@@ -9,7 +9,7 @@ from ropsim.collision.convex import Convex
 from ropsim.collision.depth import FINE, Support, depth_of
 from ropsim.collision.gjk_kernel import distances
 from ropsim.collision.separation import Nearness
-from ropsim.collision.ways_kernel import closest_on_ways
+from ropsim.collision.ways_kernel import Approaches, Convexes, Movement, closest_on_ways
 from ropsim.spatial import Array
 
 Rows = npt.NDArray[np.intp]
@@ -99,10 +99,8 @@ class SolidBodies:
     ) -> None:
         """Find how near pairs come on ways; see the kernel."""
         poses, room = np.zeros((len(self.convexes), 12)), np.zeros((19, 4))
-        least, rows, near, episodes = found
-        closest_on_ways(
-            self._points, self._bodies, items, pairs, *moving, poses, room, least, rows, near, episodes
-        )
+        convexes = Convexes(self._points, self._bodies, items)
+        closest_on_ways(convexes, pairs, Movement(*moving), poses, room, Approaches(*found))
 
     def nearness(self, placed: Array, pair: Sequence[int], row: Array, fine: float = FINE) -> Nearness:
         """Return the nearness of a pair, with its margins; if hulls overlap, with their depth.

@@ -1,55 +1,83 @@
 """Distance of pairs of convex bodies during the motion of their carriers, in compiled code."""
 
 from math import inf, sqrt
+from typing import NamedTuple
 
 from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.collision.gjk_kernel import pair_distance
 from ropsim.spatial import Array
 
 
+class Convexes(NamedTuple):
+    """Convex bodies and their carriers.
+
+    Attributes:
+        points: as for `distances`.
+        bodies: bodies of the points.
+        items: convex bodies on carriers: number of the body, of the carrier (-1 for the world), centre and
+            radius of a ball around it in the frame of the carrier [m], its reach from the origin of that [m],
+            R by rows and p of its pose there [m], half edges of the box around it [m]; shape (t, 22).
+    """
+
+    points: Array2
+    bodies: Array2
+    items: Array2
+
+
+class Movement(NamedTuple):
+    """Movement of c carriers over k rows.
+
+    Attributes:
+        frames: R_W by rows and p_W [m] of the carriers by rows, shape (c, k, 12).
+        travel: greatest distance of the origin of each carrier from its start at each row [m], and its turn
+            [rad]; then the same of carriers as others see them; shape (t, 2, k).
+    """
+
+    frames: Array3
+    travel: Array3
+
+
+class Approaches(NamedTuple):
+    """Results of `closest_on_ways`.
+
+    Attributes:
+        least: least distance so far [m], becomes that of these pairs, too; then the number of episodes,
+            shape (2,).
+        found: least distance of each pair [m], inf where it was never computed, and its row; the last row is
+            work; shape (p + 1, 7).
+        near: becomes 1 where a pair that counts may come nearer than the least distance before the next row,
+            shape (k,).
+        episodes: pair, first and last row of each episode in which two are that near, shape (m, 3); episodes
+            beyond these are counted only.
+    """
+
+    least: Array1
+    found: Array2
+    near: Array1
+    episodes: Array2
+
+
 @kernel
 def closest_on_ways(
-    points: Array2,
-    bodies: Array2,
-    items: Array2,
-    pairs: Array2,
-    frames: Array3,
-    travel: Array3,
-    poses: Array2,
-    room: Array2,
-    least: Array1,
-    found: Array2,
-    near: Array1,
-    episodes: Array2,
+    convexes: Convexes, pairs: Array2, movement: Movement, poses: Array2, room: Array2, out: Approaches
 ) -> None:
     """Find the least distance of pairs of convex bodies on moving carriers: conservative advancement.
 
     After a distance d no evaluation is needed until both have moved by d together (Mirtich 1996).
 
     Args:
-        points: as for `distances`.
-        bodies: bodies of the points.
-        items: convex bodies on carriers: number of the body, of the carrier (-1 for the world), centre and
-            radius of a ball around it in the frame of the carrier [m], how far it reaches from the origin of
-            that [m], R by rows and p of its pose there [m], half edges of the box around it [m]; shape
-            (t, 22).
+        convexes: the bodies.
         pairs: numbers of two items, first row, the one behind the last, 1 where the least distance counts, 0
-            where only episodes count; row of `travel` with the motion of the second carrier relative to the
-            first, -1 where the motions of both are added; distance at which an episode begins [m]; shape (p,
-            7).
-        frames: R_W by rows and p_W [m] of the carriers by rows, shape (c, k, 12).
-        travel: how far the origin of each carrier has come at most at each row [m], how far it has turned
-            [rad]; then the same of carriers as others see them; shape (t, 2, k).
-        poses: room, shape (n, 12).
-        room: room, shape (19, 4).
-        least: least distance so far [m], updated with these pairs; then the number of episodes, shape (2,).
-        found: least distance of each pair that was found [m], inf if never checked, and its row; the last row
-            is room; shape (p + 1, 7).
-        near: becomes 1 where a pair that counts may come nearer than the least distance before the next row,
-            shape (k,).
-        episodes: pair, first and last row of each episode in which two are that near, shape (m, 3); excess
-            ones are only counted.
+            where only episodes count; row of `travel` for the carrier of the second as seen by the first,
+            -1 where the motions of both are added; distance at which an episode begins [m]; shape (p, 7).
+        movement: of the carriers.
+        poses: work, shape (n, 12).
+        room: work, shape (19, 4).
+        out: the results.
     """
+    points, bodies, items = convexes
+    frames, travel = movement
+    least, found, near, episodes = out
     least[1] = 0.0
     for p in range(pairs.shape[0]):
         found[p, 0], found[p, 1] = inf, 0.0

@@ -8,7 +8,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from ropsim.codegen import Compiled, bound
-from ropsim.controller.motion_clock_kernel import walk
+from ropsim.controller.motion_clock_kernel import ClockNumbers, walk
 from ropsim.core import RopsimError, Severity, define
 from ropsim.flow import JointReference
 from ropsim.spatial import Array, record
@@ -164,8 +164,8 @@ def _walked(
     bench = _bench(get_ident(), ticks, 1 << many.bit_length(), given.q.shape[1])
     bench.q[:many], bench.qd[:many], bench.qdd[:many] = given.q, given.qd, given.qdd
     bench.limits[:] = limits.acceleration
-    now = state.place, state.rate, state.change
-    bench.walk(first, rows.count - 1, *now, override, limits.change, step, period)
+    clock = ClockNumbers(first, rows.count - 1, override, limits.change, step, period)
+    bench.walk(clock, state.place, state.rate, state.change)
     q, qd, qdd = bench.out[:, :ticks].copy()
     return ClockState(*bench.out[:, ticks, 0].tolist()), JointReference(q, qd, qdd)
 

@@ -1,6 +1,7 @@
 """Walking through reference rows at a rate that follows an override; numba compiles the loops."""
 
 from math import floor, sqrt
+from typing import NamedTuple
 
 from ropsim.codegen import Array1, Array3, kernel
 from ropsim.spatial import Array
@@ -11,20 +12,29 @@ HALVINGS = 4
 """How often the way between the change that is wished for and the one that is safe is halved."""
 
 
+class ClockNumbers(NamedTuple):
+    """Numbers of a motion clock.
+
+    Attributes:
+        first: number of the first of the rows.
+        last: number of the last row of the motion, where it is at rest.
+        override: requested rate, 0..1.
+        change: greatest change of the rate [1/s].
+        step: greatest step of the change per tick [1/s].
+        period: of a control tick [s].
+    """
+
+    first: int
+    last: int
+    override: float
+    change: float
+    step: float
+    period: float
+
+
 @kernel
 def walk(
-    rows: Array3,
-    limits: Array1,
-    out: Array3,
-    first: int,
-    last: int,
-    place: float,
-    rate: float,
-    before: float,
-    override: float,
-    change: float,
-    step: float,
-    period: float,
+    rows: Array3, limits: Array1, out: Array3, clock: ClockNumbers, place: float, rate: float, before: float
 ) -> None:
     """Walk on, one control tick for each row of the result but the last.
 
@@ -35,20 +45,16 @@ def walk(
             time [rad | m, 1/s, 1/s²], shape (3, k, n); as far as the result and its look-ahead go.
         limits: of the joint accelerations [rad/s² | m/s²], shape (n,).
         out: references, shape (3, ticks + 1, n); out[:, ticks, 0] becomes place, rate and change at the end.
-        first: number of the first of the rows.
-        last: number of the last row of the motion, where it is at rest.
-        place: where the motion is [ticks].
-        rate: at which it goes on.
-        before: its change [1/s].
-        override: rate that is asked for, 0..1.
-        change: greatest change of the rate [1/s].
-        step: greatest step of the change per tick [1/s].
-        period: of a control tick [s].
+        clock: numbers of the clock.
+        place: of the motion [ticks].
+        rate: of the motion there.
+        before: change of the rate there [1/s].
     """
+    first, last, override, change, step, period = clock
     ticks = out.shape[1] - 1
     for tick in range(ticks):
         wished = _wished((override - rate) / period - before / 2.0, before, change, step)
-        after = _allowed(rows, limits, first, last, place, rate, before, wished, step, period)
+        after = _allowed(rows, limits, clock, place, rate, before, wished)
         stood = place >= last
         place = _next_place(place, rate, before, after, period, last)
         rate = _next_rate(rate, before, after, period)
@@ -83,30 +89,21 @@ def _wished(way: float, before: float, change: float, step: float) -> float:
 
 
 def _allowed(
-    rows: Array,
-    limits: Array,
-    first: int,
-    last: int,
-    place: float,
-    rate: float,
-    before: float,
-    wished: float,
-    step: float,
-    period: float,
+    rows: Array, limits: Array, clock: ClockNumbers, place: float, rate: float, before: float, wished: float
 ) -> float:
     """Return the change at the next tick: what is wished for, or what comes near it and is safe.
 
     Safe is a change from which full jerk can take it to 0 without a joint beyond its limit on the way; from
     a safe one the step towards 0 is safe again. A rate that does not change is always safe, as it is <= 1.
     """
-    if _is_safe(rows, limits, first, last, place, rate, before, wished, step, period):
+    if _is_safe(rows, limits, clock, place, rate, before, wished):
         return wished
-    safe = _towards_zero(before, step)
+    safe = _towards_zero(before, clock.step)
     near, far = 0.0, 1.0
     for _ in range(HALVINGS):
         share = (near + far) / 2.0
         tried = safe + share * (wished - safe)
-        if _is_safe(rows, limits, first, last, place, rate, before, tried, step, period):
+        if _is_safe(rows, limits, clock, place, rate, before, tried):
             near = share
         else:
             far = share
@@ -114,17 +111,9 @@ def _allowed(
 
 
 def _is_safe(
-    rows: Array,
-    limits: Array,
-    first: int,
-    last: int,
-    place: float,
-    rate: float,
-    before: float,
-    after: float,
-    step: float,
-    period: float,
+    rows: Array, limits: Array, clock: ClockNumbers, place: float, rate: float, before: float, after: float
 ) -> bool:
+    first, last, step, period = clock.first, clock.last, clock.step, clock.period
     while after != 0.0:
         place = _next_place(place, rate, before, after, period, last)
         rate = _next_rate(rate, before, after, period)

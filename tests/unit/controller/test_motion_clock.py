@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from ropsim.controller import ClockError, ClockLimits, ClockState, advance, motion_clock
+from ropsim.controller.motion_clock_kernel import ClockNumbers
 from ropsim.controller.motion_clock_kernel import walk as walk_kernel
 from ropsim.flow import JointReference
 from ropsim.spatial import Array
@@ -197,7 +198,8 @@ def looped(known: Array, state: ClockState, ticks: int, override: float, limits:
     out = np.empty((3, ticks + 1, 3))
     now = state.place, state.rate, state.change
     step = limits.jerk * PERIOD
-    walk_kernel(known, limits.acceleration, out, 0, LAST, *now, override, limits.change, step, PERIOD)
+    clock = ClockNumbers(0, LAST, override, limits.change, step, PERIOD)
+    walk_kernel(known, limits.acceleration, out, clock, *now)
     return out[:, :ticks]
 
 

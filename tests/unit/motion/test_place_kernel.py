@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from ropsim.motion.retiming.point_kernel import ROWS_OF_PLACES, lacks_at
-from ropsim.motion.retiming.utilisation_kernel import RATE, SWING, WINDOW, give_up
+from ropsim.motion.retiming.point_kernel import WORK_ROWS, PointLimits, TimedPoints, lacks_at
+from ropsim.motion.retiming.utilisation_kernel import RATE, SWING, WINDOW, Derivatives, give_up
 from ropsim.spatial import Array
 
 MORE = 0.01
@@ -20,9 +20,10 @@ def told(
     """Return the lacks, and whether there are any."""
     lacks, count = np.full((4, len(first)), np.nan), np.empty(1)
     speed, swing, jerk = limits
-    room = np.full((ROWS_OF_PLACES, first.shape[1]), np.nan)
+    work = np.full((WORK_ROWS, first.shape[1]), np.nan)
     unlimited = np.append(speed, np.full(first.shape[1] - len(speed), np.inf))
-    lacks_at(first, second, *course, unlimited, swing, jerk, ALLOWED, MORE, room, lacks, count)
+    path, most = Derivatives(first, second), PointLimits(unlimited, swing, jerk)
+    lacks_at(path, TimedPoints(*course), most, ALLOWED, MORE, work, lacks, count)
     return lacks, bool(count[0] > 0.0)
 
 

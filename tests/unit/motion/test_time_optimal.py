@@ -5,7 +5,7 @@ import pytest
 from scipy.optimize import linprog
 
 from ropsim.motion import Infeasible, JointBounds, JointPoints, ProfileError, Quantity, time_optimal
-from ropsim.motion.retiming.fastest_kernel import MOST_FALL, fastest
+from ropsim.motion.retiming.fastest_kernel import MOST_FALL, LinearRows, fastest
 from ropsim.spatial import Array
 from support.in_python import in_python
 from support.motions import Waves, body
@@ -126,8 +126,8 @@ def test_the_plain_function_gives_what_the_compiled_one_gives() -> None:
     lower, upper = -random.uniform(0.0, 3.0, (m, 5)), random.uniform(0.0, 3.0, (m, 5))
     caps, steps = random.uniform(0.5, 1.0, m), random.uniform(0.01, 0.02, m - 1)
     plain, compiled = np.zeros((2, 4, m))
-    in_python(fastest)(A, B, lower, upper, caps, steps, *plain)
-    fastest(A, B, lower, upper, caps, steps, *compiled)
+    in_python(fastest)(LinearRows(A, B, lower, upper), caps, steps, *plain)
+    fastest(LinearRows(A, B, lower, upper), caps, steps, *compiled)
     assert plain[3] == pytest.approx(compiled[3], rel=1e-12)
 
 
@@ -137,15 +137,15 @@ def test_what_is_kept_from_the_call_before_is_what_would_be_found_again(seed: in
     A, B = np.cumsum(random.normal(size=(2, m, 4)) * 0.1, axis=1)
     most, caps, steps = random.uniform(0.5, 3.0, (m, 4)), random.uniform(0.5, 1.0, m), np.full(m - 1, 0.01)
     known = np.zeros((3, m))
-    fastest(A, B, -most, most, caps, steps, np.zeros(m), *known)
+    fastest(LinearRows(A, B, -most, most), caps, steps, np.zeros(m), *known)
     for changes in (1, 5, 40):
         same, places = np.ones(m), random.integers(0, m, changes)
         same[places] = 0.0
         caps[places] *= random.uniform(0.5, 1.0, changes)
         most[places] *= random.uniform(0.5, 1.0, (changes, 1))
         again = np.zeros((3, m))
-        fastest(A, B, -most, most, caps, steps, same, *known)
-        fastest(A, B, -most, most, caps, steps, np.zeros(m), *again)
+        fastest(LinearRows(A, B, -most, most), caps, steps, same, *known)
+        fastest(LinearRows(A, B, -most, most), caps, steps, np.zeros(m), *again)
         assert (known == again).all()
 
 

@@ -4,12 +4,20 @@ from enum import Enum
 
 import numpy as np
 
-from ropsim.motion.blends.blend_curve_kernel import NO_LENGTH, TURNS_BACK, WHIRLS, blend_curve_rows
+from ropsim.motion.blends.blend_curve_kernel import (
+    NO_LENGTH,
+    TURNS_BACK,
+    WHIRLS,
+    BlendRows,
+    BlendWork,
+    PathEnd,
+    Rules,
+    blend_curve_rows,
+)
 from ropsim.motion.curves.path import STANDS, ToolPath, ToolPoints
 from ropsim.motion.curves.rotation_vector import series
 from ropsim.motion.paths.arc_length import ArcLength, arc_length_in_steps, quadrature
 from ropsim.motion.paths.curve import Curve
-from ropsim.spatial import Array
 
 BLEND_STEPS = 128
 """Of the arc length of a corner of even speed."""
@@ -52,13 +60,12 @@ def blend_curve(before: ToolPath, s_leave: float, after: ToolPath, s_enter: floa
     if not min(ways) > STANDS:
         return BlendFault.NO_LENGTH
     first, last = before.tool(np.array([s_leave])), after.tool(np.array([s_enter]))
-    rows = *_plain(first), *_plain(last)
     coefficients, middles = np.empty((1, 6, 6)), np.empty((1, 3, 3))
-    told, ends, inverse = np.array(ways), np.empty(BLEND_STEPS + 1), np.empty((BLEND_STEPS, 6))
-    rooms = np.empty((2, 4, 4)), np.empty((5, 6)), np.empty((15, 3)), np.empty(3 * BLEND_STEPS + 3)
-    to = coefficients, middles, ends, inverse, told
-    blend_curve_rows(series(), *quadrature(), *rows, SWING, BLEND_STEPS, *rooms, *to)
-    came, steps = (int(number) for number in told.tolist())
+    state, ends, inverse = np.array(ways), np.empty(BLEND_STEPS + 1), np.empty((BLEND_STEPS, 6))
+    rules = Rules(series(), *quadrature(), SWING, BLEND_STEPS)
+    out = BlendRows(coefficients, middles, ends, inverse)
+    blend_curve_rows(rules, _end(first), _end(last), BlendWork.of(BLEND_STEPS), out, state)
+    came, steps = (int(number) for number in state.tolist())
     if came:
         return _FAULTS[came]
     coefficients.flags.writeable = middles.flags.writeable = False
@@ -67,12 +74,12 @@ def blend_curve(before: ToolPath, s_leave: float, after: ToolPath, s_enter: floa
     return Curve(coefficients, middles, way)
 
 
-def _plain(points: ToolPoints) -> tuple[Array, Array, Array]:
-    """Return poses and derivatives as compiled loops take them, whatever a path makes of them."""
+def _end(points: ToolPoints) -> PathEnd:
+    """Return poses and derivatives at an end of a blend as a kernel takes them."""
     matrices, d1, d2 = (
         np.ascontiguousarray(rows, dtype=np.float64) for rows in (points.matrices, points.d1, points.d2)
     )
-    return matrices, d1, d2
+    return PathEnd(matrices, d1, d2)
 
 
 _FAULTS = {

@@ -1,6 +1,9 @@
 """A corner between two poses, its polynomials and its arc length, in plain loops that numba compiles."""
 
 from math import atan2, sqrt
+from typing import NamedTuple
+
+import numpy as np
 
 from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.motion.curves.curve_kernel import rate_rows, speed_range, turning_rows, way_of_steps
@@ -21,87 +24,122 @@ UNEVEN = 0.45
 FULL_TURN = 6.283185307179586
 
 
-@kernel
-def blend_curve_rows(
-    series: Array2,
-    points: Array1,
-    weights: Array1,
-    before: Array3,
-    before_d1: Array2,
-    before_d2: Array2,
-    after: Array3,
-    after_d1: Array2,
-    after_d2: Array2,
-    swing: float,
-    steps: int,
-    matrices: Array3,
-    rates: Array2,
-    room: Array2,
-    places: Array1,
-    coefficients: Array3,
-    middles: Array3,
-    ends: Array1,
-    inverse: Array2,
-    told: Array1,
-) -> None:
-    """Write the corner from one path of the tool to the next, or why there is none.
+class Rules(NamedTuple):
+    """Constants of a blend.
 
-    Args:
+    Attributes:
         series: `rotation_vector.series`.
         points: of the quadrature, as for `way_of_steps`.
         weights: likewise.
-        before: pose of the tool where it leaves the path before, shape (1, 4, 4).
-        before_d1: first derivatives by the way there, shape (1, 6).
-        before_d2: second ones.
-        after: the same where it enters the path behind.
-        after_d1: see there.
-        after_d2: see there.
-        swing: ds/du at the ends of a corner that does not turn, as a multiple of the way to its point.
-        steps: of the arc length, for a corner of even speed.
-        matrices: room to work in, shape (2, 4, 4).
-        rates: room to work in, shape (5, 6).
-        room: to work in, shape (15, 3).
-        places: room to work in, shape (3·steps + 3,), at least 2·`LOOKS` + 2.
-        coefficients: where those of u⁰ to u⁵ go, shape (1, 6, 6).
-        middles: where the orientation goes that rotation vectors count from, shape (1, 3, 3).
-        ends: where the arc length goes, as for `way_of_steps`, if it has as many steps as there is room for.
-        inverse: likewise.
-        told: ways that both paths still have to the point where they meet [m]; becomes what came of it, as
-            above, and the number of steps that it needs: these or four times as many, shape (2,).
+        swing: ds/du at the ends of a blend that does not turn, as a multiple of the distance to its corner.
+        steps: of the arc length, for a blend of even speed.
     """
+
+    series: Array2
+    points: Array1
+    weights: Array1
+    swing: float
+    steps: int
+
+
+class PathEnd(NamedTuple):
+    """A path of the tool where the blend leaves or enters it.
+
+    Attributes:
+        pose: of the tool, shape (1, 4, 4).
+        d1: first derivatives by the path parameter, shape (1, 6).
+        d2: second ones.
+    """
+
+    pose: Array3
+    d1: Array2
+    d2: Array2
+
+
+class BlendWork(NamedTuple):
+    """Work buffers.
+
+    Attributes:
+        matrices: shape (2, 4, 4).
+        rates: shape (5, 6).
+        room: shape (15, 3).
+        places: shape (3·steps + 3,), at least 2·`LOOKS` + 2.
+    """
+
+    matrices: Array3
+    rates: Array2
+    room: Array2
+    places: Array1
+
+    @classmethod
+    def of(cls, steps: int) -> "BlendWork":
+        """Return buffers for so many steps of the arc length."""
+        return cls(np.empty((2, 4, 4)), np.empty((5, 6)), np.empty((15, 3)), np.empty(3 * steps + 3))
+
+
+class BlendRows(NamedTuple):
+    """The blend.
+
+    Attributes:
+        coefficients: of u⁰ to u⁵, shape (1, 6, 6).
+        middles: the orientation that rotation vectors count from, shape (1, 3, 3).
+        ends: of the arc length, as for `way_of_steps`, if the steps suffice.
+        inverse: likewise.
+    """
+
+    coefficients: Array3
+    middles: Array3
+    ends: Array1
+    inverse: Array2
+
+
+@kernel
+def blend_curve_rows(
+    rules: Rules, before: PathEnd, after: PathEnd, work: BlendWork, out: BlendRows, state: Array1
+) -> None:
+    """Write the blend from one path of the tool to the next, or why there is none.
+
+    Args:
+        rules: constants.
+        before: where the tool leaves the path before.
+        after: where it enters the path behind.
+        work: buffers.
+        out: the blend.
+        state: lengths of both paths up to the point where they meet [m]; becomes the result as above, and
+            the number of steps that it needs: these or four times as many, shape (2,).
+    """
+    series, points, weights, swing, steps = rules
+    matrices, rates, room, places = work
+    coefficients, middles, ends, inverse = out
     d1, d2, scales, speeds = rates[0:2], rates[2:4], rates[4, 0:2], rates[4:5, 2:4]
     for i in range(4):
         for j in range(4):
-            matrices[0, i, j], matrices[1, i, j] = before[0, i, j], after[0, i, j]
+            matrices[0, i, j], matrices[1, i, j] = before.pose[0, i, j], after.pose[0, i, j]
     for i in range(6):
-        d1[0, i], d1[1, i], d2[0, i], d2[1, i] = (
-            before_d1[0, i],
-            after_d1[0, i],
-            before_d2[0, i],
-            after_d2[0, i],
-        )
+        d1[0, i], d1[1, i] = before.d1[0, i], after.d1[0, i]
+        d2[0, i], d2[1, i] = before.d2[0, i], after.d2[0, i]
     cosine = d1[0, 0] * d1[1, 0] + d1[0, 1] * d1[1, 1] + d1[0, 2] * d1[1, 2]
     scale = swing * sqrt(sqrt(max(0.5 + 0.5 * cosine, 0.0)))
     if not (_is_unit(d1[0]) and _is_unit(d1[1])):
-        told[0] = NO_LENGTH
+        state[0] = NO_LENGTH
         return
     if cosine < SHARPEST:
-        told[0] = TURNS_BACK
+        state[0] = TURNS_BACK
         return
-    scales[0], scales[1] = scale * told[0], scale * told[1]
+    scales[0], scales[1] = scale * state[0], scale * state[1]
     slowest = SLOWEST * min(scales[0], scales[1])
-    corner_polynomials(series, matrices, d1, d2, scales, room, coefficients, middles, told)
-    if not told[0] <= FULL_TURN:
-        told[0] = WHIRLS
+    corner_polynomials(series, matrices, d1, d2, scales, room, coefficients, middles, state)
+    if not state[0] <= FULL_TURN:
+        state[0] = WHIRLS
         return
     speed_range(coefficients, LOOKS, places, speeds)
     if not speeds[0, 0] > slowest:
-        told[0] = TURNS_BACK
+        state[0] = TURNS_BACK
         return
     count = 4 * steps if speeds[0, 0] < UNEVEN * speeds[0, 1] else steps
     if count == inverse.shape[0]:
         way_of_steps(coefficients, count, points, weights, places, ends, inverse)
-    told[0], told[1] = MADE, count
+    state[0], state[1] = MADE, count
 
 
 def _is_unit(tangent: Array) -> bool:

@@ -1,6 +1,6 @@
 """Traced paths in plain loops that numba compiles: derivatives at the rows, and how rough these are."""
 
-from ropsim.codegen import Array1, Array2, Array3, as_row, columns, kernel
+from ropsim.codegen import Array1, Array2, Array3, columns, kernel
 from ropsim.spatial import Array
 
 HALF = 3
@@ -63,11 +63,8 @@ def rows_with_error(
 
 def _differences(rows: Array, inner: Array, sided: Array, out: Array) -> None:
     count, n = rows.shape
-    flat, first, second = as_row(rows), as_row(out[0]), as_row(out[1])
-    _central(
-        (count - 2 * HALF) * n, inner[0], inner[1], flat, flat[n:], flat[2 * n :], flat[3 * n :],
-        flat[4 * n :], flat[5 * n :], flat[6 * n :], first[3 * n :], second[3 * n :],
-    )  # fmt: skip
+    for k in range(HALF, count - HALF):
+        _central(n, inner[0], inner[1], rows[k - HALF : k + HALF + 1], out[0, k], out[1, k])
     for order in range(2):
         for end in range(2 * HALF):
             k = end if end < HALF else count - 2 * HALF + end
@@ -76,26 +73,13 @@ def _differences(rows: Array, inner: Array, sided: Array, out: Array) -> None:
 
 
 @columns
-def _central(
-    count: int,
-    one: Array,
-    two: Array,
-    r0: Array,
-    r1: Array,
-    r2: Array,
-    r3: Array,
-    r4: Array,
-    r5: Array,
-    r6: Array,
-    first: Array,
-    second: Array,
-) -> None:
-    """Write first and second differences of numbers from those in the rows around theirs."""
+def _central(count: int, one: Array, two: Array, rows: Array, first: Array, second: Array) -> None:
+    """Write first and second differences of a row from the seven rows around it."""
     for j in range(count):
-        a = one[0] * r0[j] + one[1] * r1[j] + one[2] * r2[j] + one[3] * r3[j]
-        first[j] = a + one[4] * r4[j] + one[5] * r5[j] + one[6] * r6[j]
-        b = two[0] * r0[j] + two[1] * r1[j] + two[2] * r2[j] + two[3] * r3[j]
-        second[j] = b + two[4] * r4[j] + two[5] * r5[j] + two[6] * r6[j]
+        a = one[0] * rows[0, j] + one[1] * rows[1, j] + one[2] * rows[2, j] + one[3] * rows[3, j]
+        first[j] = a + one[4] * rows[4, j] + one[5] * rows[5, j] + one[6] * rows[6, j]
+        b = two[0] * rows[0, j] + two[1] * rows[1, j] + two[2] * rows[2, j] + two[3] * rows[3, j]
+        second[j] = b + two[4] * rows[4, j] + two[5] * rows[5, j] + two[6] * rows[6, j]
 
 
 @columns

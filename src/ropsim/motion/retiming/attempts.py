@@ -6,10 +6,10 @@ from ropsim.motion.retiming.binding import rates_needed
 from ropsim.motion.retiming.constraint_rows import ConstraintRows
 from ropsim.motion.retiming.fastest import Speeds
 from ropsim.motion.retiming.nominal_time import NominalTime, unslowed
-from ropsim.motion.retiming.point_kernel import ROWS_OF_PLACES, lacks_at
+from ropsim.motion.retiming.point_kernel import WORK_ROWS, PointLimits, TimedPoints, lacks_at
 from ropsim.motion.retiming.smooth_rates_kernel import SLACK, WORK, smooth_course, windows_last
 from ropsim.motion.retiming.utilisation import ROUNDING
-from ropsim.motion.retiming.utilisation_kernel import LOAD, RATE, SWING, WINDOW, give_up
+from ropsim.motion.retiming.utilisation_kernel import LOAD, RATE, SWING, WINDOW, Derivatives, give_up
 from ropsim.spatial import Array
 
 _AT_PLACES = 6
@@ -34,7 +34,7 @@ class Attempts:
         needed = rates_needed(asked, places, period)
         self._caps = np.where(needed < 1.0 - SLACK, needed * (1.0 - _BETWEEN), 1.0)
         self._shares, self._sigma, self._x = np.ones((4, m)), places, self._caps**2
-        self._room, self._lacks, self._told = np.empty((2, m)), np.empty((4, m)), np.empty(1)
+        self._work, self._lacks, self._count = np.empty((2, m)), np.empty((4, m)), np.empty(1)
         self.clock: NominalTime = unslowed(float(places[-1]))
         self.plan_with(planned)
 
@@ -51,7 +51,7 @@ class Attempts:
 
     def give_up(self, lacks: Array) -> None:
         """Go on to the course with less of the limits around lacks, of shape (4, m), see `Strain`."""
-        give_up(self._sigma, lacks, self._room, self._shares)
+        give_up(self._sigma, lacks, self._work, self._shares)
         self._go()
 
     def keep_at_places(self, more: float) -> None:
@@ -64,15 +64,19 @@ class Attempts:
         paths = first.shape[1] - len(self._asked.bounds.speed)
         speed = np.append(self._asked.bounds.speed, np.full(paths, np.inf))
         most, jerk = np.array(self._asked.most()), np.array(self._asked.most_jerk())
-        limits, beyond = (speed, most, jerk, 1.0 + ROUNDING), float(np.log1p(more))
-        room = np.empty((ROWS_OF_PLACES, first.shape[1]))
+        path, limits, beyond = (
+            Derivatives(first, second),
+            PointLimits(speed, most, jerk),
+            float(np.log1p(more)),
+        )
+        work, lacks, count = np.empty((WORK_ROWS, first.shape[1])), self._lacks, self._count
         for _ in range(_AT_PLACES):
             clock = self.clock
-            course = self._places, clock.times, clock.rates, clock.changes
-            lacks_at(first, second, *course, *limits, beyond, room, self._lacks, self._told)
-            if self._told[0] == 0.0:
+            course = TimedPoints(self._places, clock.times, clock.rates, clock.changes)
+            lacks_at(path, course, limits, 1.0 + ROUNDING, beyond, work, lacks, count)
+            if count[0] == 0.0:
                 return
-            self.give_up(self._lacks)
+            self.give_up(lacks)
 
     def _go(self) -> None:
         shares = self._shares

@@ -5,7 +5,7 @@ import numpy as np
 from ropsim.motion.curves.path import JointPoints
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.retiming.constraint_rows import ConstraintRows, demand
-from ropsim.motion.retiming.fastest_kernel import bound, fastest
+from ropsim.motion.retiming.fastest_kernel import LinearRows, bound, fastest
 from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, torques
 from ropsim.motion.retiming.retimed import Infeasible, too_heavy
 from ropsim.motion.retiming.smooth_rates_kernel import LEAST_RATE, SLACK
@@ -72,8 +72,8 @@ class Speeds:
         return result
 
     def _fastest(self, caps: Array) -> Array:
-        rows = self._A, self._B, self._lower, self._upper
-        fastest(*rows, caps, self._steps, self._same, self._free, self._back, self._x)
+        rows = LinearRows(self._A, self._B, self._lower, self._upper)
+        fastest(rows, caps, self._steps, self._same, self._free, self._back, self._x)
         return self._x.copy()
 
 

@@ -1,7 +1,25 @@
 """The fastest motion along a path under limits linear in squared speed, in loops that numba compiles."""
 
+from typing import NamedTuple
+
 from ropsim.codegen import Array1, Array2, kernel
 from ropsim.spatial import Array
+
+
+class LinearRows(NamedTuple):
+    """Limits of acceleration u and squared speed x at m points: lower <= A·u + B·x <= upper.
+
+    Attributes:
+        A: shape (m, r).
+        B: shape (m, r).
+        lower: at most 0, shape (m, r).
+        upper: at least 0, shape (m, r).
+    """
+
+    A: Array2
+    B: Array2
+    lower: Array2
+    upper: Array2
 
 
 @kernel
@@ -51,10 +69,7 @@ MOST_STEPS = 60
 
 @kernel
 def fastest(
-    A: Array2,
-    B: Array2,
-    lower: Array2,
-    upper: Array2,
+    rows: LinearRows,
     caps: Array1,
     steps: Array1,
     same: Array1,
@@ -75,10 +90,7 @@ def fastest(
     place is the root of a convex function, linear in pieces, so Newton's method from above finds it exactly.
 
     Args:
-        A: shape (m, r).
-        B: shape (m, r).
-        lower: at most 0, shape (m, r).
-        upper: at least 0, shape (m, r).
+        rows: the limits.
         caps: bounds of x, at least 0, shape (m,).
         steps: ways from place to place, above 0, shape (m - 1,).
         same: above 0 where rows and cap of a place are those of the call before, whose answers in `free`,
@@ -107,7 +119,7 @@ def fastest(
         if kept_there and kept:
             continue
         before = back[i]
-        back[i] = _backwards(A, B, lower, upper, i, steps[i], caps[i], back[i + 1], greatest, free)
+        back[i] = _backwards(rows, i, steps[i], caps[i], back[i + 1], greatest, free)
         if back[i] != before:
             same[i] = 0.0
             kept = False
@@ -119,35 +131,26 @@ def fastest(
         most, fall = back[i + 1] / (2.0 * steps[i]), -1.0 / (2.0 * steps[i])
         if x[i] != free[i]:
             reach = greatest / (2.0 * steps[i])
-            most, fall, _ = _binding(A, B, lower, upper, i, steps[i], x[i], 1.0, most, fall, reach)
+            most, fall, _ = _binding(rows, i, steps[i], x[i], 1.0, most, fall, reach)
         before = x[i + 1]
         x[i + 1] = min(back[i + 1], max(x[i] + 2.0 * steps[i] * (most + fall * x[i]), 0.0))
         kept = x[i + 1] == before
 
 
 def _backwards(
-    A: Array,
-    B: Array,
-    lower: Array,
-    upper: Array,
-    i: int,
-    step: float,
-    cap: float,
-    goal: float,
-    greatest: float,
-    free: Array,
+    rows: LinearRows, i: int, step: float, cap: float, goal: float, greatest: float, free: Array
 ) -> float:
     """Return the greatest x of a place from which the next one can be at `goal`, and note if that is free."""
     free[i] = -1.0
     share = MOST_FALL if goal > 0.0 else 1.0
     twice, value = 2.0 * step, cap
     reach = greatest / twice  # no acceleration is greater
-    if _is_free(A, B, lower, upper, i, step, value, goal / twice - value / twice, -share * value / twice):
+    if _is_free(rows, i, step, value, goal / twice - value / twice, -share * value / twice):
         free[i] = value
         return value
     for _ in range(MOST_STEPS):
-        least, rise, _ = _binding(A, B, lower, upper, i, step, value, -1.0, 0.0, share / twice, reach)
-        most, fall, cap = _binding(A, B, lower, upper, i, step, value, 1.0, goal / twice, -1.0 / twice, reach)
+        least, rise, _ = _binding(rows, i, step, value, -1.0, 0.0, share / twice, reach)
+        most, fall, cap = _binding(rows, i, step, value, 1.0, goal / twice, -1.0 / twice, reach)
         least, rise = -least, -rise
         new = min(value, cap)
         if least + rise * value > most + fall * value and rise > fall:
@@ -161,12 +164,11 @@ def _backwards(
     return value
 
 
-def _is_free(
-    A: Array, B: Array, lower: Array, upper: Array, i: int, step: float, x: float, u: float, least: float
-) -> bool:
+def _is_free(rows: LinearRows, i: int, step: float, x: float, u: float, least: float) -> bool:
     """Return whether an acceleration from x holds all rows, and falls by no more than it may."""
     if not u >= least:
         return False
+    A, B, lower, upper = rows
     for end in range(2):
         for r in range(A.shape[1]):
             b = B[i + end, r]
@@ -177,17 +179,7 @@ def _is_free(
 
 
 def _binding(
-    A: Array,
-    B: Array,
-    lower: Array,
-    upper: Array,
-    i: int,
-    step: float,
-    x: float,
-    sign: float,
-    line: float,
-    slope: float,
-    reach: float,
+    rows: LinearRows, i: int, step: float, x: float, sign: float, line: float, slope: float, reach: float
 ) -> tuple[float, float, float]:
     """Return the line by x that binds acceleration times sign from above at x, and a bound of x.
 
@@ -195,11 +187,8 @@ def _binding(
     others cost no division.
 
     Args:
-        A: of `fastest`, as what follows up to the step.
-        B: likewise.
-        lower: likewise.
-        upper: likewise.
-        i: place.
+        rows: the limits.
+        i: number of the point.
         step: way to the next one.
         x: squared speed.
         sign: 1 for the greatest acceleration, -1 for minus the least.
@@ -210,6 +199,7 @@ def _binding(
     Returns:
         the line at x = 0, its slope, the bound.
     """
+    A, B, lower, upper = rows
     cap, most = x, line + slope * x
     for end in range(2):
         for r in range(A.shape[1]):

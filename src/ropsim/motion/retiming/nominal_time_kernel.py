@@ -1,6 +1,7 @@
 """Nominal time over real time, and motions in it, in loops that numba compiles."""
 
 import math
+from typing import NamedTuple
 
 from ropsim.codegen import Array1, Array2, columns, kernel
 from ropsim.spatial import Array
@@ -11,6 +12,35 @@ _INSIDE = 0.9
 The mean rate is then at least (2 - share)/2 of that at the ends, and a cell lasts longer by at most that
 factor.
 """
+
+
+class _Knots(NamedTuple):
+    """Ends of all knots, and of the cell between two of them.
+
+    Attributes:
+        lowest: real time of the first knot [s].
+        highest: real time of the last knot [s].
+        whole: nominal time at the last knot [s].
+        begin: real time at the begin of the cell [s].
+        start: nominal time at the begin of the cell [s].
+        end: nominal time at the end of the cell [s].
+    """
+
+    lowest: float
+    highest: float
+    whole: float
+    begin: float
+    start: float
+    end: float
+
+
+class _Cubic(NamedTuple):
+    """The rate in a cell, as coefficients of powers of the real time since its begin."""
+
+    rate: float
+    change: float
+    square: float
+    cube: float
 
 
 @kernel
@@ -42,41 +72,24 @@ def motion_time_at(
         more = (rates[i + 1] - first) * per
         square = (3.0 * more - 2.0 * change - then) * per
         cube = (change + then - 2.0 * more) * (per * per)
-        ends = knots[0], knots[last], knots[i], places[i], places[i + 1], places[last]
-        cubic = first, change, square, cube, square * (1.0 / 3.0)
-        phi, rate, rise = out[0, begin:], out[1, begin:], out[2, begin:]
-        _in_cell(end - begin, *ends, *cubic, times[begin:], phi, rate, rise)
+        ends = _Knots(knots[0], knots[last], places[last], knots[i], places[i], places[i + 1])
+        _in_cell(ends, _Cubic(first, change, square, cube), times[begin:end], out[:, begin:end])
         begin = end
 
 
-@columns
-def _in_cell(
-    count: int,
-    lowest: float,
-    highest: float,
-    knot: float,
-    place: float,
-    behind: float,
-    whole: float,
-    first: float,
-    change: float,
-    square: float,
-    cube: float,
-    third: float,
-    times: Array,
-    phi: Array,
-    rate: Array,
-    rise: Array,
-) -> None:
-    """Write motion time, its rate and the change of that at times between two knots."""
-    for j in range(count):
-        t = min(max(times[j], lowest), highest)
-        past = t - knot
-        way = past * (first + past * (change / 2.0 + past * (third + past * cube / 4.0)))
-        here = min(max(place + way, place), behind)
-        phi[j] = here if t < highest else whole
-        rate[j] = first + past * (change + past * (square + past * cube))
-        rise[j] = change + past * (2.0 * square + past * 3.0 * cube)
+def _in_cell(ends: _Knots, cubic: _Cubic, times: Array, out: Array) -> None:
+    """Write nominal time, its rate and the change of that at times between two knots."""
+    third = cubic.square * (1.0 / 3.0)
+    for j in range(times.shape[0]):
+        t = min(max(times[j], ends.lowest), ends.highest)
+        past = t - ends.begin
+        increase = past * (
+            cubic.rate + past * (cubic.change / 2.0 + past * (third + past * cubic.cube / 4.0))
+        )
+        here = min(max(ends.start + increase, ends.start), ends.end)
+        out[0, j] = here if t < ends.highest else ends.whole
+        out[1, j] = cubic.rate + past * (cubic.change + past * (cubic.square + past * cubic.cube))
+        out[2, j] = cubic.change + past * (2.0 * cubic.square + past * 3.0 * cubic.cube)
 
 
 @kernel

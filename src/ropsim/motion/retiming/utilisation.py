@@ -13,6 +13,10 @@ from ropsim.motion.retiming.utilisation_kernel import (
     ROWS_OF_MOTION,
     ROWS_OF_TORQUE,
     TORQUE,
+    Derivatives,
+    Grid,
+    JointLoad,
+    Used,
     by_real_time,
     strain_of,
     used_by_motion,
@@ -166,23 +170,14 @@ def strain(
         qd, qdd = np.hstack((qd, of_ways[0])), np.hstack((qdd, of_ways[1]))
     first, second = ways.beside(going.points)
     used, peaks, lacks = np.zeros((4, k)), np.zeros(4), np.zeros((4, len(going.places)))
-    strain_of(
-        np.ascontiguousarray(qd),
-        np.ascontiguousarray(qdd),
-        torque,
-        first,
-        second,
-        going.course,
-        going.places,
-        going.still,
+    load = JointLoad(np.ascontiguousarray(qd), np.ascontiguousarray(qdd), torque)
+    path, grid, limits = (
+        Derivatives(first, second),
+        Grid(going.places, going.still),
         _limits(bounds, going, period),
-        1.0 + ROUNDING,
-        more,
-        np.empty((4, first.shape[1])),
-        used,
-        peaks,
-        lacks,
     )
+    inverse, out = np.empty((4, first.shape[1])), Used(used, peaks, lacks)
+    strain_of(load, path, going.course, grid, limits, 1.0 + ROUNDING, more, inverse, out)
     _check(rows, used)
     return Utilisation(used, peaks, lacks)
 

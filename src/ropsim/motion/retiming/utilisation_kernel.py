@@ -1,6 +1,7 @@
 """Utilisation of the limits at control ticks, and what a motion gives up for it, in loops for numba."""
 
 import math
+from typing import NamedTuple
 
 from ropsim.codegen import Array1, Array2, Array3, columns, kernel
 from ropsim.motion.retiming.smooth_rates_kernel import greatest_nearby
@@ -116,23 +117,70 @@ RATE, SWING, WINDOW, LOAD = range(4)
 """Rows of lacks: rate and acceleration are divided by them, windows multiplied, torque divided."""
 
 
+class Derivatives(NamedTuple):
+    """Derivatives of joints and paths by nominal time.
+
+    Attributes:
+        first: shape (k, n + r).
+        second: likewise.
+    """
+
+    first: Array2
+    second: Array2
+
+
+class JointLoad(NamedTuple):
+    """n joints, then r paths, at k control ticks.
+
+    Attributes:
+        qd: speeds of joints [rad/s | m/s], then of paths, shape (k, n + r).
+        qdd: accelerations [rad/s² | m/s²] likewise.
+        torque: of joints [N m | N], shape (k, n), or (k, 0) where it does not count.
+    """
+
+    qd: Array2
+    qdd: Array2
+    torque: Array2
+
+
+class Grid(NamedTuple):
+    """Points at which a motion is planned.
+
+    Attributes:
+        places: nominal times [s], rising, shape (m,).
+        still: torque of creeping there [N m | N], shape (m, n), or (m, 0).
+    """
+
+    places: Array1
+    still: Array2
+
+
+class Used(NamedTuple):
+    """Utilisation of the limits; all numbers begin as 0.
+
+    Attributes:
+        used: becomes the greatest share of each limit, 1 for all of it, in the order of `Quantity`, (4, k).
+        peaks: becomes the greatest excess of each, shape (4,).
+        lacks: become logarithms of what rate and acceleration are to be divided by, windows to be multiplied
+            with, and torque to be divided by, at the points on both sides of the ticks, (4, m).
+    """
+
+    used: Array2
+    peaks: Array1
+    lacks: Array2
+
+
 @kernel
 def strain_of(
-    qd: Array2,
-    qdd: Array2,
-    torque: Array2,
-    first: Array2,
-    second: Array2,
+    load: JointLoad,
+    path: Derivatives,
     course: Array2,
-    places: Array1,
-    still: Array2,
+    grid: Grid,
     limits: Array3,
     allowed: float,
     more: float,
     inverse: Array2,
-    used: Array2,
-    peaks: Array1,
-    lacks: Array2,
+    out: Used,
 ) -> None:
     """Compute strains and lacks of n joints and r paths at k control ticks; no number counts as infinity.
 
@@ -143,24 +191,19 @@ def strain_of(
     keep all limits; those are done with as soon as that is seen.
 
     Args:
-        qd: speeds of joints [rad/s | m/s], then of places on paths, shape (k, n + r).
-        qdd: accelerations [rad/s² | m/s²] likewise, shape (k, n + r).
-        torque: of joints [N m | N], shape (k, n), or (k, 0) where it does not count.
-        first: first derivatives by motion time, shape (k, n + r).
-        second: second ones.
-        course: motion times φ [s], rising, rates dφ/dt, and their changes [1/s], shape (3, k).
-        places: motion times [s], rising, shape (m,).
-        still: torque of creeping at the places [N m | N], shape (m, n), or (m, 0).
+        load: of the joints at the ticks.
+        path: derivatives at the ticks.
+        course: nominal times φ [s], rising, rates dφ/dt, and their changes [1/s], shape (3, k).
+        grid: points of the plan.
         limits: of speed, acceleration, change of acceleration in one tick, and torque, shape (4, k, n + r),
             or (4, 1, n + r) where they are the same at all ticks.
         allowed: what may be used of a limit, 1 and rounding.
         more: added to the logarithm of each excess.
-        inverse: room for the inverse of limits, shape (4, n + r).
-        used: 0; becomes what is used by what uses most, 1 for all, in the order of `Quantity`, (4, k).
-        peaks: 0; becomes the greatest excess of each, shape (4,).
-        lacks: 0; becomes logarithms of what rate and acceleration are to be divided by, windows to be
-            multiplied with, and torque to be divided by, at the places on both sides of the ticks, (4, m).
+        inverse: work, shape (4, n + r).
+        out: the results.
     """
+    qd, qdd, torque = load.qd, load.qdd, load.torque
+    places, still, used, peaks = grid.places, grid.still, out.used, out.peaks
     way, last, constant = 0, places.shape[0] - 2, limits.shape[1] == 1
     kinds = 4 if torque.shape[1] else 3
     for k in range(qd.shape[0]):
@@ -170,11 +213,11 @@ def strain_of(
         here = 0 if constant else k
         if k == 0 or not constant:
             _invert(limits, here, inverse)
-        if 0 < k < qd.shape[0] - 1 and _keeps(qd, qdd, torque, inverse, k, allowed, used, peaks):
+        if 0 < k < qd.shape[0] - 1 and _keeps(load, inverse, k, allowed, used, peaks):
             continue
         for j in range(qd.shape[1]):
-            load = abs(torque[k, j]) if j < torque.shape[1] else 0.0
-            values = (abs(qd[k, j]), abs(qdd[k, j]), _jump(qdd, k, j), load)
+            effort = abs(torque[k, j]) if j < torque.shape[1] else 0.0
+            values = (abs(qd[k, j]), abs(qdd[k, j]), _jump(qdd, k, j), effort)
             for kind in range(kinds):
                 value = values[kind]
                 share = value * inverse[kind, j]
@@ -191,17 +234,15 @@ def strain_of(
                     share = (value - held) / max(limits[TORQUE, here, j] - held, _TINY)
                 peaks[kind] = max(peaks[kind], share)
                 lack = math.log(min(max(share, 1.0), MOST_AT_ONCE)) + more
-                given = _given_up(kind, lack, first, second, course, j, before, k)
+                given = _given_up(kind, lack, path, course, j, before, k)
                 for row in range(len(given)):
                     for i in range(way, way + 2):
-                        lacks[row, i] = max(lacks[row, i], given[row])
+                        out.lacks[row, i] = max(out.lacks[row, i], given[row])
 
 
-def _causes(
-    first: Array, second: Array, course: Array, j: int, before: int, now: int
-) -> tuple[float, float, float]:
+def _causes(path: Derivatives, course: Array, j: int, before: int, now: int) -> tuple[float, float, float]:
     """Return the shares that the path, changes of rate on it and changes of acceleration have in a jerk."""
-    w, c = course[1, now], course[2, now]
+    w, c, first, second = course[1, now], course[2, now], path.first, path.second
     faster = w * w - course[1, before] * course[1, before]
     by_path = abs(second[now, j] - second[before, j]) * w * w
     bend = abs(second[now, j] * faster) + abs((first[now, j] - first[before, j]) * c)
@@ -242,10 +283,9 @@ def _invert(limits: Array, here: int, inverse: Array) -> None:
             inverse[kind, j] = 1.0 / limits[kind, here, j]
 
 
-def _keeps(
-    qd: Array, qdd: Array, torque: Array, inverse: Array, k: int, allowed: float, used: Array, peaks: Array
-) -> bool:
+def _keeps(state: JointLoad, inverse: Array, k: int, allowed: float, used: Array, peaks: Array) -> bool:
     """Return whether a tick between others clearly keeps all limits; if so its shares are noted."""
+    qd, qdd, torque = state.qd, state.qdd, state.torque
     speed, acceleration, jerk, load, whole = 0.0, 0.0, 0.0, 0.0, 0.0
     for j in range(qd.shape[1]):
         fast, swing, jump = abs(qd[k, j]), abs(qdd[k, j]), abs(qdd[k, j] - qdd[k - 1, j])
@@ -265,11 +305,11 @@ def _keeps(
 
 
 def _given_up(
-    kind: int, lack: float, first: Array, second: Array, course: Array, j: int, before: int, now: int
+    kind: int, lack: float, path: Derivatives, course: Array, j: int, before: int, now: int
 ) -> tuple[float, float, float, float]:
     """Return what is to be given up for a lack, in the order of the rows of lacks."""
     if kind == JERK:
-        by_path, bend, change = _causes(first, second, course, j, before, now)
+        by_path, bend, change = _causes(path, course, j, before, now)
         return by_path * STEADY * lack, (bend + BESIDE * change) * lack, lack * change, 0.0
     if kind == ACCELERATION:
         return 0.0, lack, 0.0, 0.0

@@ -5,11 +5,24 @@ at the end; see `TimeLaw`.
 """
 
 from math import inf
+from typing import NamedTuple
 
-from ropsim.codegen import Array1, Array2, columns, kernel
+from ropsim.codegen import Array1, Array2, kernel
 from ropsim.spatial import Array
 
 SIXTH = 1.0 / 6.0
+
+
+class _Segment(NamedTuple):
+    """A segment: number of its path segment, time and motion at its start, path parameter at its end."""
+
+    number: float
+    start: float
+    place: float
+    v: float
+    a: float
+    j: float
+    end: float
 
 
 @kernel
@@ -34,47 +47,20 @@ def rows_at(segments: Array2, duration: float, times: Array1, out: Array2) -> No
         end = k + 1
         while end < times.shape[0] and start <= max(times[end], 0.0) < until:
             end += 1
-        _within(
-            end - k,
-            segments[0, row],
-            start,
-            segments[2, row],
-            segments[3, row],
-            segments[4, row],
-            segments[5, row],
-            segments[7, row],
-            times[k:],
-            out[0, k:],
-            out[1, k:],
-            out[2, k:],
-            out[3, k:],
-        )
+        place, v, a, j = segments[2, row], segments[3, row], segments[4, row], segments[5, row]
+        _within(_Segment(segments[0, row], start, place, v, a, j, segments[7, row]), times, k, end, out)
         k = end
 
 
-@columns
-def _within(
-    count: int,
-    number: float,
-    start: float,
-    place: float,
-    v: float,
-    a: float,
-    j: float,
-    limit: float,
-    times: Array,
-    pieces: Array,
-    places: Array,
-    speeds: Array,
-    accelerations: Array,
-) -> None:
+def _within(segment: _Segment, times: Array, first: int, until: int, out: Array) -> None:
     """Write the rows of times in one segment."""
-    for k in range(count):
-        u = max(times[k], 0.0) - start
-        pieces[k] = number
-        places[k] = min(place + u * (v + u * (0.5 * a + u * (j * SIXTH))), limit)
-        speeds[k] = max(v + u * (a + u * (0.5 * j)), 0.0)
-        accelerations[k] = a + u * j
+    v, a, j = segment.v, segment.a, segment.j
+    for k in range(first, until):
+        u = max(times[k], 0.0) - segment.start
+        out[0, k] = segment.number
+        out[1, k] = min(segment.place + u * (v + u * (0.5 * a + u * (j * SIXTH))), segment.end)
+        out[2, k] = max(v + u * (a + u * (0.5 * j)), 0.0)
+        out[3, k] = a + u * j
 
 
 def _row_at(segments: Array, t: float, row: int) -> int:

@@ -20,6 +20,7 @@ acceleration, jerk, duration, place at the end, and the speed to which its start
 """
 
 from math import inf, sqrt
+from typing import NamedTuple
 
 from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.spatial import Array
@@ -39,6 +40,15 @@ LITTLE_LESS = 1.0 - 2.0 * NEAREST
 NEWTON = 2e-8
 """Relative; after a step of Newton no greater than this the remainder is its square, which is rounding."""
 SIXTH, THIRD = 1.0 / 6.0, 1.0 / 3.0
+
+
+class _Rise(NamedTuple):
+    """A rise from speed v and acceleration a, with full jerk until a time, then with most acceleration."""
+
+    v: float
+    a: float
+    until: float
+    most: float
 
 
 @kernel
@@ -336,12 +346,12 @@ def _climb(way: Array, course: Array) -> None:
         if k + 1 < p and v1 <= way[4, k + 1] and a1 <= way[2, k + 1]:
             fault, _, _, top, _, _ = _level(way, k + 1, 0.0, v1, a1, k)
             if fault == 0:
-                n = _add_rise(way, course, n, k, v, a, until, most, end, length, reached)
+                n = _add_rise(way, course, n, k, _Rise(v, a, until, most), end, length, reached)
                 k, v, a, reached = k + 1, v1, a1, top
                 continue
         last, top, fault, where = _latest(way, k, v, a, until, most, end)
         place, v1, a1 = _after(last, v, a, jerk, until, most)
-        n = _add_rise(way, course, n, k, v, a, until, most, last, min(place, length), reached)
+        n = _add_rise(way, course, n, k, _Rise(v, a, until, most), last, min(place, length), reached)
         if fault == 0:
             n, v, a = _add_levelling(way, course, n, k, min(place, length), v1, a1, top, where)
             v, a, k, reached = min(v, way[4, where]), min(a, way[2, where]), where, top
@@ -503,26 +513,16 @@ def _levelled_at(
 
 
 def _add_rise(
-    way: Array,
-    course: Array,
-    n: int,
-    k: int,
-    v: float,
-    a: float,
-    until: float,
-    most: float,
-    end: float,
-    last: float,
-    reached: float,
+    way: Array, course: Array, n: int, k: int, rise: _Rise, end: float, last: float, reached: float
 ) -> int:
     """Write the segments of a rise in piece k up to a time and place; return the number of all."""
     jerk = way[3, k]
-    if end <= until:
-        return _add(course, n, k, 0.0, v, a, jerk, end, last, reached)
-    place, v1, _ = _after(until, v, a, jerk, until, most)
-    n = _add(course, n, k, 0.0, v, a, jerk, until, place, reached)
-    _, _, _, top, _, _ = _level(way, k, place, v1, most, k)
-    return _add(course, n, k, place, v1, most, 0.0, end - until, last, max(top, reached))
+    if end <= rise.until:
+        return _add(course, n, k, 0.0, rise.v, rise.a, jerk, end, last, reached)
+    place, v1, _ = _after(rise.until, rise.v, rise.a, jerk, rise.until, rise.most)
+    n = _add(course, n, k, 0.0, rise.v, rise.a, jerk, rise.until, place, reached)
+    _, _, _, top, _, _ = _level(way, k, place, v1, rise.most, k)
+    return _add(course, n, k, place, v1, rise.most, 0.0, end - rise.until, last, max(top, reached))
 
 
 def _add_levelling(

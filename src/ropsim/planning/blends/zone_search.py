@@ -4,10 +4,9 @@ from typing import Protocol
 
 import numpy as np
 
-from ropsim.kinematics import POSES, chain_arrays, forward_batch
+from ropsim.kinematics import chain_arrays, forward_batch
 from ropsim.model import RobotModel
 from ropsim.motion import (
-    MOST_LOOKS,
     TRACED,
     ZONE_NODES,
     ZONE_SHARES,
@@ -19,7 +18,7 @@ from ropsim.motion import (
     leave,
     rows_of_path,
 )
-from ropsim.planning.blends.zone_search_kernel import HELD, zones_of_arm
+from ropsim.planning.blends.zone_search_kernel import SearchPaths, SearchWork, zones_of_arm
 from ropsim.spatial import Array, Pose
 
 Crossing = tuple[float, float]
@@ -130,19 +129,8 @@ class _ArmWay(_Way):
         kind, begin, length, size, flat, _ = self._rows
         chain, rows = self._chain, np.concatenate(flat).reshape(size, -1)
         asked = np.array([(self.length, zone, clip, from_end, kind, begin, length, 0.0, size)])
-        own = chain.flat, chain.spread, rows, self._X_MT.position[np.newaxis]
-        zones_of_arm(ZONE_SHARES, ZONE_NODES, *own, asked, *search_rooms(self._robot, 1))
+        tcps = self._X_MT.position[np.newaxis]
+        paths = SearchPaths(ZONE_SHARES, ZONE_NODES, chain.flat, chain.spread, rows, tcps)
+        zones_of_arm(paths, asked, SearchWork.of(1, self._robot.n, len(chain.slides)))
         place, distance, *_ = asked[0].tolist()
         return place, distance
-
-
-def search_rooms(robot: RobotModel, count: int) -> tuple[Array, ...]:
-    """Return rooms to work in for `zones_of_arm`.
-
-    Args:
-        robot: the arm.
-        count: of the searches side by side.
-    """
-    places, steps = count * MOST_LOOKS, len(chain_arrays(robot).slides)
-    searches = np.empty((count, 5, MOST_LOOKS)), np.empty((count, HELD)), np.empty((3, MOST_LOOKS, robot.n))
-    return *searches, np.empty((places, steps)), np.empty((places, 4, 4)), np.empty(POSES)

@@ -1,5 +1,9 @@
 """Where an arm on paths of its joints leaves zones with its tool, in a loop that numba compiles."""
 
+from typing import NamedTuple
+
+import numpy as np
+
 from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.kinematics import POSES, forward_rows
 from ropsim.motion import (
@@ -8,6 +12,7 @@ from ropsim.motion import (
     LOOK_SQUARES,
     LOOK_STATE,
     LOOK_WAYS,
+    MOST_LOOKS,
     SYNCHRONISED,
     joint_rows,
     line_points,
@@ -29,78 +34,98 @@ once the centre of the zone is known; that centre [m]. How many numbers that is.
 """
 
 
-@kernel
-def zones_of_arm(
-    shares: Array1,
-    nodes: Array2,
-    chain: Array1,
-    spread: Array2,
-    rows: Array2,
-    tcps: Array2,
-    asked: Array2,
-    looks: Array3,
-    held: Array2,
-    points: Array3,
-    steps: Array2,
-    poses_at: Array3,
-    poses: Array1,
-) -> None:
-    """Search on k paths for the places at which the TCP is in a distance from where it is at an end of each.
+class SearchPaths(NamedTuple):
+    """Paths of the joints of an arm, and the nodes of a search.
 
-    Args:
-        shares: as for `look_further`, and so are nodes.
-        nodes: see there.
+    Attributes:
+        shares: as for `look_further`.
+        nodes: likewise.
         chain: `ChainArrays.flat` of the arm, of m steps.
         spread: `ChainArrays.spread`, shape (m or 0, n + 1).
         rows: of all paths, see `PathRows`, shape (r, n).
         tcps: in the frame of the interface [m], shape (k, 3).
+    """
+
+    shares: Array1
+    nodes: Array2
+    chain: Array1
+    spread: Array2
+    rows: Array2
+    tcps: Array2
+
+
+class SearchWork(NamedTuple):
+    """Work buffers of s searches side by side.
+
+    Attributes:
+        looks: shape (s, 5, `MOST_LOOKS`).
+        held: shape (s, `HELD`).
+        points: shape (3, `MOST_LOOKS`, n).
+        steps: shape (s·`MOST_LOOKS`, m).
+        poses_at: shape (s·`MOST_LOOKS`, 4, 4).
+        poses: shape (`POSES`,).
+    """
+
+    looks: Array3
+    held: Array2
+    points: Array3
+    steps: Array2
+    poses_at: Array3
+    poses: Array1
+
+    @classmethod
+    def of(cls, searches: int, n: int, m: int) -> "SearchWork":
+        """Return buffers for searches side by side with an arm of n joints and m steps."""
+        total = searches * MOST_LOOKS
+        return cls(
+            np.empty((searches, 5, MOST_LOOKS)),
+            np.empty((searches, HELD)),
+            np.empty((3, MOST_LOOKS, n)),
+            np.empty((total, m)),
+            np.empty((total, 4, 4)),
+            np.empty(POSES),
+        )
+
+
+@kernel
+def zones_of_arm(paths: SearchPaths, asked: Array2, work: SearchWork) -> None:
+    """Search on k paths for the path parameters at which the TCP is at a distance from an end of each.
+
+    Args:
+        paths: of the arm.
         asked: length of each path, the zone [m], how far from that end it may be found at most, 1.0 for the
             end of the path, 0.0 for its start; then kind, begin and length of `PathRows`, the first row of
             the path and that after its last one; becomes the place, and the distance of the TCP there [m];
             shape (k, 9).
-        looks: room to work in for s searches side by side, shape (s, 5, `MOST_LOOKS`).
-        held: likewise, shape (s, `HELD`).
-        points: room to work in, shape (3, `MOST_LOOKS`, n).
-        steps: room to work in, shape (s·`MOST_LOOKS`, m).
-        poses_at: room to work in, shape (s·`MOST_LOOKS`, 4, 4).
-        poses: room to work in, shape (`POSES`,).
+        work: buffers.
     """
+    looks, held, poses_at, poses = work.looks, work.held, work.poses_at, work.poses
     for i in range(POSES):
         poses[i] = 0.0
     for first in range(0, asked.shape[0], looks.shape[0]):
         beyond = min(first + looks.shape[0], asked.shape[0])
-        own, tools = asked[first:beyond], tcps[first:beyond]
+        own, tools = asked[first:beyond], paths.tcps[first:beyond]
         for k in range(own.shape[0]):
             held[k, COUNT], held[k, ENDS], held[k, CENTRED] = 1.0, 0.0, 0.0
             for i in range(LOOK_STATE):
                 looks[k, STATE, i] = 0.0
-        count = _ask(shares, nodes, spread, rows, own, looks, held, points, steps)
+        count = _ask(paths, own, work)
         while count > 0:
-            forward_rows(chain, steps[:count], poses_at[:count], poses)
+            forward_rows(paths.chain, work.steps[:count], poses_at[:count], poses)
             _answer(tools, poses_at, own, looks, held)
-            count = _ask(shares, nodes, spread, rows, own, looks, held, points, steps)
+            count = _ask(paths, own, work)
 
 
-def _ask(
-    shares: Array,
-    nodes: Array,
-    spread: Array,
-    rows: Array,
-    asked: Array,
-    looks: Array,
-    held: Array,
-    points: Array,
-    steps: Array,
-) -> int:
-    """Write coordinates at the places at which searches look next, and return how many these are."""
-    total = 0
+def _ask(paths: SearchPaths, asked: Array, work: SearchWork) -> int:
+    """Write coordinates at the next samples of all searches, and return the number of these."""
+    looks, held, points, total = work.looks, work.held, work.points, 0
     for k in range(asked.shape[0]):
         if held[k, ENDS] != 0.0:
             held[k, COUNT] = 0.0
         if held[k, COUNT] == 0.0:
             continue
         one, places, state = asked[k], looks[k, PLACES], looks[k, STATE]
-        look_further(shares, nodes, one[ZONE], one[CLIP], looks[k], state)
+        look_further(paths.shares, paths.nodes, one[ZONE], one[CLIP], looks[k], state)
         count = int(state[LOOK_COUNT])
         if count == 0:  # how far it is at the place that was found
             count, held[k, ENDS] = 1, 1.0
@@ -113,12 +138,12 @@ def _ask(
             one[PLACE] = places[0]
         for i in range(count):
             places[i] += one[BEGIN]
-        path = rows[int(one[FIRST]) : int(one[LAST])]
+        path = paths.rows[int(one[FIRST]) : int(one[LAST])]
         if one[KIND] == SYNCHRONISED:
             joint_rows(path[0], path[1], path[2:], one[WHOLE], places[:count], points)
         else:
             line_points(path[0], path[1], places[:count], points)
-        _move_steps(spread, points[0], count, steps[total:])
+        _move_steps(paths.spread, points[0], count, work.steps[total:])
         total += count
     return total
 

@@ -10,7 +10,7 @@ from ropsim.flow import CriticalLimit, LimitQuantity
 from ropsim.model import Payload, RobotModel
 from ropsim.motion import JointBounds, JointMotionLimits
 from ropsim.planning.joint_limits.arm_limits import ArmBounds, arm_bounds
-from ropsim.planning.joint_limits.binding_kernel import joints_reached, look_at
+from ropsim.planning.joint_limits.binding_kernel import Reached, joints_reached, look_at
 from ropsim.planning.joint_limits.binding_tool import REACHED, Looks, binding_of_tools
 from ropsim.planning.records.motion_plan import MotionPlan, TimedMove
 
@@ -130,5 +130,6 @@ def _joints(
     for number, one in enumerate(looked):
         most[number, 0], most[number, 1] = one.limits.speed, one.limits.acceleration
         most[number, 2], most[number, 3] = largest, one.limits.jerk
-    joints_reached(qd, qdd, ticks, starts, torque, most, plan.period, REACHED, counts, longest, reached)
+    out = Reached(counts, longest, reached)
+    joints_reached(qd, qdd, ticks, starts, torque, most, plan.period, REACHED, out)
     return Looks(ticks, starts, reached), longest.tolist()

@@ -1,5 +1,7 @@
 """At which control ticks joints and tool are at their limits, in plain loops that numba compiles."""
 
+from typing import NamedTuple
+
 from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.spatial import Array
 
@@ -35,6 +37,21 @@ def look_at(
     starts[spans.shape[0]] = k
 
 
+class Reached(NamedTuple):
+    """Results of `joints_reached`.
+
+    Attributes:
+        counts: number of samples of each move at which a limit is reached, shape (m, 4, n).
+        longest: becomes the number among these of the greatest count of each move, and its share of the
+            samples, shape (m, 2).
+        reached: becomes 1 for a sample at which any limit is reached, else 0, shape (k,).
+    """
+
+    counts: Array3
+    longest: Array2
+    reached: Array1
+
+
 @kernel
 def joints_reached(
     qd: Array2,
@@ -45,9 +62,7 @@ def joints_reached(
     most: Array3,
     period: float,
     share: float,
-    counts: Array3,
-    longest: Array2,
-    reached: Array1,
+    out: Reached,
 ) -> None:
     """Write at how many looks at each move joints are at their limits.
 
@@ -60,11 +75,9 @@ def joints_reached(
         most: limits of speed, acceleration, torque and jerk of each move, shape (m, 4, n).
         period: of the control ticks [s].
         share: of a limit from which on it counts as reached.
-        counts: where the answers go, shape (m, 4, n).
-        longest: becomes the number among these of the greatest answer for each move, and the share of the
-            looks that it is, shape (m, 2).
-        reached: becomes 1 for a look at which any limit is reached, else 0, shape (k,).
+        out: the results.
     """
+    counts, longest, reached = out
     for m in range(most.shape[0]):
         for i in range(4):
             for j in range(qd.shape[1]):

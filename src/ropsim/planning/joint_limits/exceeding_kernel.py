@@ -1,5 +1,7 @@
 """Control ticks at which limits are exceeded, and what a motion does there, in loops for numba."""
 
+from typing import NamedTuple
+
 from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.motion import rows_at
 from ropsim.spatial import Array
@@ -34,54 +36,82 @@ def exceeding(used: Array2, allowed: float, phi: Array1, spans: Array2, ticks: A
             told[span, end] = low
 
 
-@kernel
-def walk_at(
-    segments: Array2,
-    duration: float,
-    start: float,
-    begins: Array1,
-    phi: Array1,
-    ticks: Array1,
-    q: Array2,
-    qd: Array2,
-    qdd: Array2,
-    times: Array1,
-    law: Array2,
-    places: Array2,
-    motion: Array3,
-    changed: Array3,
-) -> None:
-    """Write where a run is at ticks and at those before them, and what joints do there.
+class SectionLaw(NamedTuple):
+    """Time law of a section.
 
-    Args:
-        segments: of its time law, see `TimeLaw`, shape (8, m).
+    Attributes:
+        segments: see `TimeLaw`, shape (8, m).
         duration: of it [s].
-        start: motion time at which it begins [s].
-        begins: places at which its pieces begin, shape (p or more,).
-        phi: motion times of all ticks, rising [s], shape (k,).
-        ticks: numbers of b of them, none of them 0, shape (b,).
-        q: joint coordinates at all ticks [rad | m], shape (k, n).
+        start: nominal time at which it begins [s].
+        begins: path parameters at which its path segments begin, shape (p or more,).
+    """
+
+    segments: Array2
+    duration: float
+    start: float
+    begins: Array1
+
+
+class ReferenceRows(NamedTuple):
+    """References of the joints at k control ticks.
+
+    Attributes:
+        phi: nominal times, rising [s], shape (k,).
+        q: joint coordinates [rad | m], shape (k, n).
         qd: speeds [rad/s | m/s], likewise.
         qdd: accelerations [rad/s² | m/s²], likewise.
-        times: room to work in, shape (2·b,).
-        law: where rows of the time law go, those of the ticks before first, and below them the jerk behind
-            each of these times, shape (5, 2·b).
-        places: where places on the whole run go, shape (2, b).
-        motion: where coordinates and speeds at the ticks go, shape (2, b, n).
-        changed: where accelerations at the ticks before and at the ticks go, shape (2, b, n).
     """
-    b = ticks.shape[0]
+
+    phi: Array1
+    q: Array2
+    qd: Array2
+    qdd: Array2
+
+
+class AtTicks(NamedTuple):
+    """Results of `evaluate_section` for b ticks.
+
+    Attributes:
+        law: rows of the time law, those of the ticks before first, and below them the jerk behind each of
+            these times, shape (5, 2·b).
+        places: path parameters on the whole section, shape (2, b).
+        motion: coordinates and speeds at the ticks, shape (2, b, n).
+        accelerations: at the ticks before and at the ticks, shape (2, b, n).
+    """
+
+    law: Array2
+    places: Array2
+    motion: Array3
+    accelerations: Array3
+
+
+@kernel
+def evaluate_section(
+    section: SectionLaw, reference: ReferenceRows, ticks: Array1, times: Array1, out: AtTicks
+) -> None:
+    """Write the path parameter of a section and the references of the joints at ticks and the ticks before.
+
+    Args:
+        section: the time law.
+        reference: at all control ticks.
+        ticks: numbers of b of them, none of them 0, shape (b,).
+        times: work, shape (2·b,).
+        out: the results.
+    """
+    b, law = ticks.shape[0], out.law
     for k in range(b):
         tick = int(ticks[k])
-        times[k], times[b + k] = phi[tick - 1] - start, phi[tick] - start
-        for j in range(q.shape[1]):
-            motion[0, k, j], motion[1, k, j] = q[tick, j], qd[tick, j]
-            changed[0, k, j], changed[1, k, j] = qdd[tick - 1, j], qdd[tick, j]
-    rows_at(segments, duration, times, law)
-    _jerks_at(segments, duration, times, law[4])
+        times[k] = reference.phi[tick - 1] - section.start
+        times[b + k] = reference.phi[tick] - section.start
+        for j in range(reference.q.shape[1]):
+            out.motion[0, k, j], out.motion[1, k, j] = reference.q[tick, j], reference.qd[tick, j]
+            out.accelerations[0, k, j] = reference.qdd[tick - 1, j]
+            out.accelerations[1, k, j] = reference.qdd[tick, j]
+    rows_at(section.segments, section.duration, times, law)
+    _jerks_at(section.segments, section.duration, times, law[4])
     for k in range(b):
-        places[0, k] = begins[int(law[0, k])] + law[1, k]
-        places[1, k] = begins[int(law[0, b + k])] + law[1, b + k]
+        out.places[0, k] = section.begins[int(law[0, k])] + law[1, k]
+        out.places[1, k] = section.begins[int(law[0, b + k])] + law[1, b + k]
 
 
 def _jerks_at(segments: Array, duration: float, times: Array, jerks: Array) -> None:

@@ -1,6 +1,7 @@
 """Between which times and places bands lie, in loops that numba compiles."""
 
 from math import ceil, inf, log, sqrt
+from typing import NamedTuple
 
 import numpy as np
 
@@ -62,45 +63,67 @@ def band_times(used: Array2, phi: Array1, duration: float, ways: Array2, times: 
     told[0] = count + 1
 
 
+class SectionTimes(NamedTuple):
+    """Times of a section.
+
+    Attributes:
+        segments: of its time law, see `TimeLaw`, shape (8, m).
+        ends: times at which its path segments end [s], shape (p,).
+        start: nominal time at which it begins [s].
+    """
+
+    segments: Array2
+    ends: Array1
+    start: float
+
+
+class GridLines(NamedTuple):
+    """Results of `lay_grid`: c cells.
+
+    Attributes:
+        begins: path parameters at which path segments begin, and the end of the last one, shape (p + 1,).
+        cells: their c + 1 borders and the times there since the start of the section [s]; then bounds of
+            speed, acceleration and jerk, and number of the path segment of each; shape (6, k + s + 1).
+        total: number of the cells, shape (1,).
+    """
+
+    begins: Array1
+    cells: Array2
+    total: Array1
+
+
 @kernel
-def lay_bands(
-    segments: Array2,
-    ends: Array1,
-    start: float,
+def lay_grid(
+    section: SectionTimes,
     times: Array1,
     stages: Array2,
     counts: Array1,
     near: float,
-    asked: Array1,
+    inner: Array1,
     law: Array2,
-    begins: Array1,
-    bands: Array2,
-    told: Array1,
+    out: GridLines,
 ) -> None:
     """Write the bands of a part, between the places where it is at times, and where stages end.
 
     Args:
-        segments: of its time law, see `TimeLaw`, shape (8, m).
-        ends: times at which its pieces end [s], shape (p,).
-        start: motion time at which it begins [s].
-        times: motion times, rising [s], shape (k,).
+        section: its times.
+        times: nominal times, rising [s], shape (k,).
         stages: length, and bounds of speed, acceleration and jerk of each stage, shape (s, 4).
         counts: how many stages each piece has, shape (p,).
         near: below this share of the part a place and the end of a stage are one.
-        asked: room to work in, shape (k,).
-        law: likewise, shape (4, k).
-        begins: where the places go at which pieces begin, and the end of the last one, shape (p + 1,).
-        bands: where c bands go: their c + 1 borders and the times there since the start of the part [s]; then
-            bounds of speed, acceleration and jerk, and number of the piece of each; shape (6, k + s + 1).
-        told: where their number goes, shape (1,).
+        inner: work, shape (k,).
+        law: work, shape (4, k).
+        out: the results.
     """
+    segments, ends, start = section
+    begins, bands = out.begins, out.cells
     _begin(stages, counts, begins)
     inside, duration, least = 0, ends[ends.shape[0] - 1], near * begins[begins.shape[0] - 1]
     for k in range(times.shape[0]):
         if 0.0 < times[k] - start < duration:
-            asked[inside] = times[k] - start
+            inner[inside] = times[k] - start
             inside += 1
-    rows_at(segments, duration, asked[:inside], law)
+    rows_at(segments, duration, inner[:inside], law)
     count, k, begin = 0, 0, 0.0
     piece, left = 0, counts[0]
     bands[PLACE, 0], bands[TIME, 0] = 0.0, 0.0
@@ -115,12 +138,12 @@ def lay_bands(
             at = begins[int(law[0, k])] + law[1, k]
             k += 1
             if at > bands[PLACE, count] and at - begin > least and end - at > least:
-                bands[TIME, count + 1] = asked[k - 1]
+                bands[TIME, count + 1] = inner[k - 1]
                 count = _add(bands, count, at, stages, stage, piece)
         time_at(segments, ends, piece, end - begins[piece], bands[TIME, count + 1 : count + 2])
         count = _add(bands, count, end, stages, stage, piece)
         begin = end
-    told[0] = count
+    out.total[0] = count
 
 
 def _begin(stages: Array, counts: Array, begins: Array) -> None:

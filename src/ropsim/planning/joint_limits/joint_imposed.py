@@ -6,7 +6,7 @@ import numpy as np
 
 from ropsim.motion import ROUNDING, JointBounds, torques
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
-from ropsim.planning.joint_limits.joint_imposed_kernel import caps_of
+from ropsim.planning.joint_limits.joint_imposed_kernel import AlongPath, OfJoints, limits_imposed
 from ropsim.spatial import Array, record
 
 _CREEP = 0.02
@@ -74,13 +74,14 @@ def joint_caps(walked: Walked, arm: ArmBounds, period: float, used: float) -> Jo
         period: of the ticks [s].
         used: share of the limits that is aimed at, in ]0, 1].
     """
-    rows, told = np.empty((5, 5 * walked.q.size)), np.empty(1)
+    rows, count = np.empty((5, 5 * walked.q.size)), np.empty(1)
     b, n = walked.q.shape
     slopes = walked.d1.reshape(2 * b, n), walked.d2.reshape(2 * b, n)
-    at_path = walked.speeds.ravel(), walked.accelerations.ravel(), walked.jerks.ravel(), *slopes
-    loads, limits = _loads(walked, arm), joint_limits(arm.joints, period)
-    caps_of(*at_path, walked.qd, walked.qdd, loads, limits, period, used, 1.0 + ROUNDING, rows, told)
-    return JointImposedLimits(rows, int(told[0]), walked.places)
+    path = AlongPath(walked.speeds.ravel(), walked.accelerations.ravel(), walked.jerks.ravel(), *slopes)
+    joints = OfJoints(walked.qd, walked.qdd, _loads(walked, arm))
+    limits = joint_limits(arm.joints, period)
+    limits_imposed(path, joints, limits, period, used, 1.0 + ROUNDING, rows, count)
+    return JointImposedLimits(rows, int(count[0]), walked.places)
 
 
 @lru_cache(maxsize=16)

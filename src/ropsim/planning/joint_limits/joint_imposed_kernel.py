@@ -1,6 +1,7 @@
 """What joints allow along a path at ticks at which they cannot follow, in loops that numba compiles."""
 
 from math import sqrt
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,48 +20,70 @@ TORQUE = 3
 """Number of the quantity, and row of the limits."""
 
 
+class AlongPath(NamedTuple):
+    """Motion along a path at the ticks before b ticks, then at the b ticks.
+
+    Attributes:
+        speeds: along the path, shape (2·b,).
+        accelerations: likewise.
+        jerks: behind each of these times, likewise.
+        d1: first derivatives of the joints by the path parameter, shape (2·b, n).
+        d2: second ones.
+    """
+
+    speeds: Array1
+    accelerations: Array1
+    jerks: Array1
+    d1: Array2
+    d2: Array2
+
+
+class OfJoints(NamedTuple):
+    """Motion and torque of n joints at b ticks.
+
+    Attributes:
+        qd: speeds of all motions that go on [rad/s | m/s], shape (b, n).
+        qdd: accelerations at the ticks before and at the ticks, shape (2, b, n).
+        loads: torques, their part with the square of the speed along the path, and their part with the
+            acceleration along the path [N m | N], shape (3, b, n), or (3, 0, n).
+    """
+
+    qd: Array2
+    qdd: Array3
+    loads: Array3
+
+
 @kernel
-def caps_of(
-    speeds: Array1,
-    accelerations: Array1,
-    jerks: Array1,
-    d1: Array2,
-    d2: Array2,
-    qd: Array2,
-    qdd: Array3,
-    loads: Array3,
+def limits_imposed(
+    path: AlongPath,
+    joints: OfJoints,
     limits: Array2,
     period: float,
     used: float,
     allowed: float,
     caps: Array2,
-    told: Array1,
+    count: Array1,
 ) -> None:
-    """Write the caps that joints set along a path, first of speed, then of acceleration, jerk and torque.
+    """Write the limits that joints impose along a path: of speed, acceleration, jerk, then torque.
 
     Of each quantity those of speed come first, then of acceleration, then of jerk along the path. Beside
     another motion that counts as if it went on for all of a tick in which it begins or ends: with less of it
     it lasts longer, and into ticks that the other one fills.
 
     Args:
-        speeds: along the path at the ticks before, then at the b ticks, shape (2·b,).
-        accelerations: likewise, shape (2·b,).
-        jerks: likewise, behind each of these times, shape (2·b,).
-        d1: first derivatives of the joints by the place, likewise, shape (2·b, n).
-        d2: second ones.
-        qd: speeds of the joints at the ticks, of all motions that go on [rad/s | m/s], shape (b, n).
-        qdd: accelerations at the ticks before and at the ticks, likewise, shape (2, b, n).
-        loads: torques of the joints at the ticks, what of them goes with the square of the speed, and what
-            with the acceleration along the path [N m | N], shape (3, b, n), or (3, 0, n).
+        path: motion along it.
+        joints: at the ticks.
         limits: of speed, acceleration, change of acceleration in a tick, and torque, shape (4, n).
         period: of the ticks [s].
         used: share of the limits that is aimed at.
         allowed: what may be used of a limit, 1 and rounding.
         caps: where they go: kind, value, number of the tick, joint, quantity, with room, shape (5, 5·b·n).
-        told: where their number goes, shape (1 or more,).
+        count: becomes their number, shape (1 or more,).
     """
+    speeds, accelerations, jerks, d1, d2 = path
+    qd, qdd, loads = joints
     b = qd.shape[0]
-    count = _of_speed(speeds, qd, limits, used, allowed, caps)
+    last = _of_speed(speeds, qd, limits, used, allowed, caps)
     room = caps.shape[1] - b * qd.shape[1]
     for quantity in range(ACCELERATION, TORQUE + 1):
         found = 0
@@ -104,8 +127,8 @@ def caps_of(
                     cap = jerk * share
                 _add(caps, room + found, kind, cap, k, j, quantity)
                 found += 1
-        count = _in_order(caps, room, found, count)
-    told[0] = count
+        last = _in_order(caps, room, found, last)
+    count[0] = last
 
 
 def _of_speed(speeds: Array, qd: Array, limits: Array, used: float, allowed: float, caps: Array) -> int:

@@ -3,9 +3,23 @@
 import numpy as np
 
 from ropsim.motion import PathLimits, Quantity
-from ropsim.planning.joint_limits.grid_lines_kernel import FIRST_BOUND, PIECE, PLACE, TIME, lay_bands
+from ropsim.planning.joint_limits.grid_lines_kernel import (
+    FIRST_BOUND,
+    PIECE,
+    PLACE,
+    TIME,
+    GridLines,
+    SectionTimes,
+    lay_grid,
+)
 from ropsim.planning.joint_limits.joint_imposed import JointImposedLimits
-from ropsim.planning.joint_limits.limit_grid_kernel import bring_down, stages_of
+from ropsim.planning.joint_limits.limit_grid_kernel import (
+    GridBounds,
+    ImposedNumbers,
+    LoweredBounds,
+    lower_bounds,
+    stages_of,
+)
 from ropsim.planning.trajectory.sections import Section, TimingRules
 from ropsim.spatial import Array, record
 
@@ -48,11 +62,11 @@ class LimitGrid:
         Args:
             caps: joint-imposed limits, and their places.
         """
-        bounds, causes, told = np.empty(self.bounds.shape), self.causes.copy(), np.empty(1)
-        rooms = np.empty((4, caps.places.shape[1])), np.empty((2, caps.rows.shape[1]))
-        held = caps.rows, caps.count, caps.places, self.borders, self.planned, self.bounds
-        bring_down(*held, bounds, causes, *rooms, told)
-        return self.with_bounds(bounds, causes, float(told[0]))
+        out = LoweredBounds(np.empty(self.bounds.shape), self.causes.copy(), np.empty(1))
+        ticks, reach = np.empty((4, caps.places.shape[1])), np.empty((2, caps.rows.shape[1]))
+        imposed = ImposedNumbers(caps.rows, caps.count, caps.places)
+        lower_bounds(imposed, GridBounds(self.borders, self.planned, self.bounds), ticks, reach, out)
+        return self.with_bounds(out.bounds, out.causes, float(out.share[0]))
 
     def slower(self, share: float) -> "LimitGrid":
         """Return the same where everything goes at a share, in ]0, 1], of its rate."""
@@ -94,10 +108,11 @@ def limit_grid_of(part: Section, times: Array, start: float) -> LimitGrid:
     first, last = times.searchsorted((start, start + part.law.duration)).tolist()
     times = times[max(first - 1, 0) : last + 1]
     count, rows, counts = len(times), part.stages.rows, part.counts.astype(np.float64)
-    begins, bands, told = np.empty(len(counts) + 1), np.empty((6, count + len(rows) + 1)), np.empty(1)
-    walked, rooms = (part.law.segments, part.law.ends, start, times), (np.empty(count), np.empty((4, count)))
-    lay_bands(*walked, np.ascontiguousarray(rows), counts, _SAME_PLACE, *rooms, begins, bands, told)
-    c, legs = int(told[0]), np.array([piece.leg for piece in part.pieces], dtype=np.float64)
+    out = GridLines(np.empty(len(counts) + 1), np.empty((6, count + len(rows) + 1)), np.empty(1))
+    section, work = SectionTimes(part.law.segments, part.law.ends, start), np.empty((5, count))
+    lay_grid(section, times, np.ascontiguousarray(rows), counts, _SAME_PLACE, work[0], work[1:], out)
+    begins, bands = out.begins, out.cells
+    c, legs = int(out.total[0]), np.array([piece.leg for piece in part.pieces], dtype=np.float64)
     borders, reached, owners = bands[PLACE, : c + 1], bands[TIME, : c + 1], bands[PIECE, :c]
     bounds = bands[FIRST_BOUND:PIECE, :c].copy()
     return LimitGrid(part, begins, legs, borders, reached, owners, bounds, bounds, np.full((2, c), -1.0), 1.0)

@@ -1,6 +1,7 @@
 """Bands that caps bring down, and stages from them, in plain loops that numba compiles."""
 
 from math import exp, floor, inf, log, sqrt
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,35 +15,64 @@ FIRST_STEP, SECOND_STEP, THIRD_STEP = 0.01, 0.04, 0.08
 that neighbours are often the same."""
 
 
+class ImposedNumbers(NamedTuple):
+    """Limits that joints impose.
+
+    Attributes:
+        rows: in columns kind, value, number of the tick, joint, quantity; of shape (5, h or more).
+        total: of them, h.
+        places: path parameters from which and up to which limits of a tick count, of b ticks, shape (2, b).
+    """
+
+    rows: Array2
+    total: int
+    places: Array2
+
+
+class GridBounds(NamedTuple):
+    """Bounds of c cells.
+
+    Attributes:
+        borders: path parameters between which the cells lie, shape (c + 1,).
+        planned: bounds before the joints were regarded, shape (3, c).
+        before: bounds so far, shape (3, c).
+    """
+
+    borders: Array1
+    planned: Array2
+    before: Array2
+
+
+class LoweredBounds(NamedTuple):
+    """Results of `lower_bounds`.
+
+    Attributes:
+        bounds: no higher than the limits, shape (3, c).
+        causes: joint and quantity of each cell; become those of the last limit that binds, shape (2, c).
+        share: becomes the least share of its planned rate that a cell is left, in ]0, 1], shape (1,).
+    """
+
+    bounds: Array2
+    causes: Array2
+    share: Array1
+
+
 @kernel
-def bring_down(
-    caps: Array2,
-    count: int,
-    places: Array2,
-    borders: Array1,
-    planned: Array2,
-    before: Array2,
-    bounds: Array2,
-    causes: Array2,
-    ticks: Array2,
-    reach: Array2,
-    told: Array1,
+def lower_bounds(
+    imposed: ImposedNumbers, grid: GridBounds, ticks: Array2, reach: Array2, out: LoweredBounds
 ) -> None:
     """Bring the bounds of bands down to caps and on to the next step, and note what each was lowered for.
 
     Args:
-        caps: in columns kind, value, number of the tick, joint, quantity; of shape (5, h or more).
-        count: of them, h.
-        places: from which and up to which caps of a tick count, of b ticks, shape (2, b).
-        borders: places between which the bands lie, shape (c + 1,).
-        planned: the bounds before joints counted, shape (3, c).
-        before: the bounds as they are, shape (3, c).
-        bounds: where they go, no higher than the caps, shape (3, c).
-        causes: joint and quantity of each band; become those of the last cap that binds, shape (2, c).
-        ticks: room to work in, shape (4, b).
-        reach: likewise, shape (2, h or more).
-        told: where the least share of its planned rate goes that a band is left, in ]0, 1], shape (1,).
+        imposed: the limits.
+        grid: the cells.
+        ticks: work, shape (4, b).
+        reach: work, shape (2, h or more).
+        out: the results.
     """
+    caps, count, places = imposed
+    borders, planned, before = grid
+    bounds, causes = out.bounds, out.causes
     for kind in range(bounds.shape[0]):
         for band in range(bounds.shape[1]):
             bounds[kind, band] = before[kind, band]
@@ -65,7 +95,7 @@ def bring_down(
                 if share != known:
                     known, left = share, exp(floor(log(share) / step) * step)
                 bounds[kind, band] = planned[kind, band] * left
-    told[0] = _least_share(planned, bounds)
+    out.share[0] = _least_share(planned, bounds)
 
 
 @kernel

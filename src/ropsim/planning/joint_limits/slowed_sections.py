@@ -6,7 +6,7 @@ import numpy as np
 
 from ropsim.motion import Slowed
 from ropsim.planning.joint_limits.limit_grid import LimitGrid
-from ropsim.planning.joint_limits.slowed_sections_kernel import slower_ways
+from ropsim.planning.joint_limits.slowed_sections_kernel import GridNumbers, slowed_spans
 from ropsim.planning.trajectory.timing import Timing
 
 
@@ -26,10 +26,10 @@ def slowed_in(planned: Timing, course: Timing, bands: Mapping[int, LimitGrid]) -
         if own.bounds is own.planned:
             continue
         run, count, law = course.runs[number], len(own.owners), planned.runs[number].law
-        room, ways, told = np.empty((4, 2 * count)), np.empty((4, count)), np.empty(1)
-        here = own.borders, own.times, own.owners, own.begins, own.planned, own.bounds, own.causes
-        laws = run.law.segments, run.law.ends, float(law.speeds.max())
-        slower_ways(*here, *laws, room, ways, told)
-        for start, stop, share, band in ways[:, : int(told[0])].T.tolist():
+        work, spans, total = np.empty((4, 2 * count)), np.empty((4, count)), np.empty(1)
+        borders, bounds = (own.borders, own.times, own.owners, own.begins), (own.planned, own.bounds)
+        grid, most = GridNumbers(*borders, *bounds, own.causes), float(law.speeds.max())
+        slowed_spans(grid, run.law.segments, run.law.ends, most, work, spans, total)
+        for start, stop, share, band in spans[:, : int(total[0])].T.tolist():
             slowed.append(Slowed(run.start + start, run.start + stop, share, *own.cause(int(band))))
     return tuple(slowed)

@@ -1,86 +1,93 @@
-"""Ways along a part that are slower than they were planned, in a loop that numba compiles."""
+"""Spans of a section that are slower than planned, in a loop that numba compiles."""
+
+from typing import NamedTuple
 
 from ropsim.codegen import Array1, Array2, kernel
 from ropsim.motion import times_along
 from ropsim.spatial import Array
 
-START, STOP, SHARE, BAND = range(4)
-"""Rows of ways."""
+START, STOP, SHARE, CELL = range(4)
+"""Rows of spans."""
 _TINY = 1e-300
 
 
+class GridNumbers(NamedTuple):
+    """Numbers of a limit grid of c cells.
+
+    Attributes:
+        borders: path parameters between which the cells lie, shape (c + 1,).
+        times: of the motion there before the joints were regarded [s], shape (c + 1,).
+        owners: number of the path segment of each cell, rising, shape (c,).
+        begins: path parameters at which path segments begin, shape (p or more,).
+        planned: bounds before the joints were regarded, shape (3, c).
+        bounds: the same with regard to the joints, shape (3, c).
+        causes: joint and quantity of each cell, below 0 where it has none, shape (2, c).
+    """
+
+    borders: Array1
+    times: Array1
+    owners: Array1
+    begins: Array1
+    planned: Array2
+    bounds: Array2
+    causes: Array2
+
+
 @kernel
-def slower_ways(
-    borders: Array1,
-    times: Array1,
-    owners: Array1,
-    begins: Array1,
-    planned: Array2,
-    bounds: Array2,
-    causes: Array2,
-    segments: Array2,
-    ends: Array1,
-    most: float,
-    room: Array2,
-    ways: Array2,
-    told: Array1,
+def slowed_spans(
+    grid: GridNumbers, segments: Array2, ends: Array1, most: float, work: Array2, spans: Array2, total: Array1
 ) -> None:
-    """Write ways on which bounds were brought down, and the named band of each that loses most of the speed.
+    """Write spans on which bounds were lowered, and the cell with a cause that loses most speed in each.
 
     Args:
-        borders: places between which the bands lie, shape (c + 1,).
-        times: at which the motion would be there before joints counted [s], shape (c + 1,).
-        owners: number of the piece on which each band lies, rising, shape (c,).
-        begins: places at which pieces begin, shape (p or more,).
-        planned: bounds before joints counted, shape (3, c).
-        bounds: the same with regard to joints, shape (3, c).
-        causes: joint and quantity of each band, below 0 where it has none, shape (2, c).
+        grid: the limits.
         segments: of the time law, see `TimeLaw`, shape (8, m).
-        ends: times at which its pieces end [s], shape (p,).
-        most: greatest speed before joints counted.
-        room: to work in: of each border its piece, place on it, time [s], and the band before it, -1 where a
-            way begins, shape (4, 2·c).
-        ways: where they go: from when and until when [s], share of the greatest speed that is left in the
-            slowest band, and its number; shape (4, c).
-        told: where the number of ways goes, shape (1,).
+        ends: times at which its path segments end [s], shape (p,).
+        most: greatest speed before the joints were regarded.
+        work: of each border its path segment, path parameter there, time [s], and the cell before it, -1
+            where a span begins, shape (4, 2·c).
+        spans: results: begin and end [s], share of the greatest speed that is left in the slowest cell, and
+            its number; shape (4, c).
+        total: becomes the number of spans, shape (1,).
     """
+    borders, times, owners, begins, planned, bounds, causes = grid
     last, count, goes_on = planned.shape[1] - 1, 0, False
-    for band in range(last + 1):
+    for cell in range(last + 1):
         lower = (
-            (bounds[0, band] < planned[0, band])
-            | (bounds[1, band] < planned[1, band])
-            | (bounds[2, band] < planned[2, band])
+            (bounds[0, cell] < planned[0, cell])
+            | (bounds[1, cell] < planned[1, cell])
+            | (bounds[2, cell] < planned[2, cell])
         )
         if lower:
             if not goes_on:
-                count = _ask(borders, owners, begins, band, -1, room, count)
-            count = _ask(borders, owners, begins, band + 1, band, room, count)
+                count = _add_border(borders, owners, begins, cell, -1, work, count)
+            count = _add_border(borders, owners, begins, cell + 1, cell, work, count)
         goes_on = lower
-    times_along(segments, ends, room[0, :count], room[1, :count], room[2, :count])
-    way = 0
+    times_along(segments, ends, work[0, :count], work[1, :count], work[2, :count])
+    span = 0
     for k in range(count):
-        band = int(room[3, k])
-        if band < 0:
-            ways[START, way], ways[SHARE, way], ways[BAND, way] = room[2, k], 1.0, -1.0
+        cell = int(work[3, k])
+        if cell < 0:
+            spans[START, span], spans[SHARE, span], spans[CELL, span] = work[2, k], 1.0, -1.0
             continue
-        if causes[0, band] >= 0.0:
-            length = borders[band + 1] - borders[band]
-            now = length / max(room[2, k] - room[2, k - 1], _TINY)
-            then = length / max(times[band + 1] - times[band], _TINY)
+        if causes[0, cell] >= 0.0:
+            length = borders[cell + 1] - borders[cell]
+            now = length / max(work[2, k] - work[2, k - 1], _TINY)
+            then = length / max(times[cell + 1] - times[cell], _TINY)
             share = min(1.0 - (then - now) / most, 1.0)
-            if ways[BAND, way] < 0.0 or share < ways[SHARE, way]:
-                ways[SHARE, way], ways[BAND, way] = share, band
-        if k + 1 == count or room[3, k + 1] < 0.0:
-            ways[STOP, way] = room[2, k]
-            if ways[BAND, way] >= 0.0:
-                way += 1
-    told[0] = way
+            if spans[CELL, span] < 0.0 or share < spans[SHARE, span]:
+                spans[SHARE, span], spans[CELL, span] = share, cell
+        if k + 1 == count or work[3, k + 1] < 0.0:
+            spans[STOP, span] = work[2, k]
+            if spans[CELL, span] >= 0.0:
+                span += 1
+    total[0] = span
 
 
-def _ask(
-    borders: Array, owners: Array, begins: Array, border: int, band: int, room: Array, count: int
+def _add_border(
+    borders: Array, owners: Array, begins: Array, border: int, cell: int, work: Array, count: int
 ) -> int:
-    """Write piece and place of a border, and the band that ends there or -1; return the number of all."""
-    piece = owners[min(border, owners.shape[0] - 1)]
-    room[0, count], room[1, count], room[3, count] = piece, borders[border] - begins[int(piece)], band
+    """Write a border and the cell that ends there, or -1; return the number of all."""
+    segment = owners[min(border, owners.shape[0] - 1)]
+    work[0, count], work[1, count], work[3, count] = segment, borders[border] - begins[int(segment)], cell
     return count + 1

@@ -4,7 +4,7 @@ import numpy as np
 
 from ropsim.motion import LawRows, Reference
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
-from ropsim.planning.joint_limits.exceeding_kernel import walk_at
+from ropsim.planning.joint_limits.exceeding_kernel import AtTicks, ReferenceRows, SectionLaw, evaluate_section
 from ropsim.planning.joint_limits.joint_imposed import Walked, joint_caps
 from ropsim.planning.joint_limits.limit_grid import LimitGrid
 from ropsim.planning.trajectory.sections import Section, TimingRules
@@ -52,8 +52,9 @@ def _walked(motion: Trajectory, reference: Reference, number: int, begins: Array
     run, b = motion.course.runs[number], len(ticks)
     rows, law, places = reference.rows, np.empty((5, 2 * b)), np.empty((2, b))
     joints, qdd = np.empty((2, 2, b, rows.q.shape[1]))
-    tables = run.law.segments, run.law.duration, run.start, begins, reference.phi, ticks
-    walk_at(*tables, rows.q, rows.d1, rows.d2, np.empty(2 * b), law, places, joints, qdd)
+    section = SectionLaw(run.law.segments, run.law.duration, run.start, begins)
+    references = ReferenceRows(reference.phi, rows.q, rows.d1, rows.d2)
+    evaluate_section(section, references, ticks, np.empty(2 * b), AtTicks(law, places, joints, qdd))
     points = motion.on_run(number, LawRows(law[0].astype(np.int64), law[1], law[2], law[3]))
     pairs = qdd.shape
     return Walked(

@@ -5,13 +5,14 @@ import numpy as np
 from ropsim.motion import COEFFICIENTS, JointPoints, LawRows, Ways
 from ropsim.planning.trajectory.timing import TimedSection, Timing
 from ropsim.planning.trajectory.trajectory_kernel import (
-    AT_ONCE,
     FIRST_PIECE,
     PIECE,
     PLACE,
+    TrajectoryNumbers,
+    TrajectoryWork,
     add_in_time,
+    evaluate_trajectory,
     points_on,
-    walk_runs,
 )
 from ropsim.planning.trajectory.trajectory_table import TrajectoryTable, trajectory_table
 from ropsim.spatial import Array, frozen, record
@@ -58,11 +59,10 @@ class Trajectory:
         """
         runs = self.course.runs
         if table := self.table:
-            numbers = table.runs, table.segments, table.pieces, table.rows, table.slopes
+            numbers = TrajectoryNumbers(table.runs, table.segments, table.pieces, table.rows, table.slopes)
             asked, n = np.ascontiguousarray(phi, dtype=np.float64), table.rows.shape[1]
             total = np.empty((3, len(phi), n))
-            law, room, held = np.empty((5, AT_ONCE)), np.empty((COEFFICIENTS, n)), np.empty((3, AT_ONCE, n))
-            walk_runs(*numbers, self.corners, asked, law, room, held, total)
+            evaluate_trajectory(numbers, self.corners, asked, TrajectoryWork.of(n), total)
             return JointPoints(total[0], total[1], total[2])
         corners = self.corners if len(self.corners) else _end(runs[0])[None]
         total, before = np.empty((3, len(phi), corners.shape[1])), 0

@@ -1,7 +1,12 @@
 """From paths over their length to a motion over time, in loops that numba compiles."""
 
+from typing import NamedTuple
+
+import numpy as np
+
 from ropsim.codegen import Array1, Array2, Array3, columns, kernel
 from ropsim.motion import (
+    COEFFICIENTS,
     SYNCHRONISED,
     TRACED,
     joints_in_time,
@@ -21,35 +26,52 @@ AT_ONCE = 512
 """Times that are looked at together, so that what is known of them stays near the processor."""
 
 
-@kernel
-def walk_runs(
-    runs: Array2,
-    segments: Array2,
-    pieces: Array2,
-    rows: Array2,
-    slopes: Array3,
-    corners: Array2,
-    phi: Array1,
-    law: Array2,
-    room: Array2,
-    held: Array3,
-    total: Array3,
-) -> None:
-    """Write coordinates and derivatives by time of a whole motion; see `TrajectoryTable`.
+class TrajectoryNumbers(NamedTuple):
+    """Numbers of a trajectory; see `TrajectoryTable`.
 
-    Args:
+    Attributes:
         runs: shape (r, 7).
         segments: of their time laws, shape (8, m).
-        pieces: of all runs, shape (p, 6).
+        pieces: path segments of all runs, shape (p, 6).
         rows: of their paths, shape (l, n).
         slopes: likewise, shape (2, l or fewer, n).
+    """
+
+    runs: Array2
+    segments: Array2
+    pieces: Array2
+    rows: Array2
+    slopes: Array3
+
+
+class TrajectoryWork(NamedTuple):
+    """Work buffers of `evaluate_trajectory`: shapes (5, AT_ONCE), (COEFFICIENTS, n) and (3, AT_ONCE, n)."""
+
+    law: Array2
+    room: Array2
+    held: Array3
+
+    @classmethod
+    def of(cls, n: int) -> "TrajectoryWork":
+        """Return buffers for n joints."""
+        return cls(np.empty((5, AT_ONCE)), np.empty((COEFFICIENTS, n)), np.empty((3, AT_ONCE, n)))
+
+
+@kernel
+def evaluate_trajectory(
+    table: TrajectoryNumbers, corners: Array2, phi: Array1, work: TrajectoryWork, total: Array3
+) -> None:
+    """Write coordinates and derivatives by time of a whole trajectory.
+
+    Args:
+        table: the trajectory.
         corners: joint coordinates where one run ends and the next one has begun, shape (r - 1 or more, n).
-        phi: motion times, rising [s], shape (k,).
-        law: room to work in, shape (5, AT_ONCE).
-        room: to work in, shape (COEFFICIENTS, n).
-        held: room to work in, shape (3, AT_ONCE, n).
+        phi: nominal times, rising [s], shape (k,).
+        work: buffers.
         total: the motion, shape (3, k, n).
     """
+    runs, segments, pieces, rows, slopes = table
+    law, room, held = work
     last, before = runs.shape[0] - 1, 0
     for number in range(last + 1):
         run = runs[number]
@@ -81,7 +103,7 @@ def points_on(
 
     Args:
         first: piece with which the run begins.
-        pieces: of all runs, as for `walk_runs`, and so are rows and slopes.
+        pieces: of all runs, as for `evaluate_trajectory`, and so are rows and slopes.
         rows: see there.
         slopes: see there.
         law: numbers of the pieces of the run, rising, places on these, which become those on their paths,

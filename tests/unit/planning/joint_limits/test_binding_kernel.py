@@ -5,6 +5,7 @@ import numpy as np
 from ropsim import robots
 from ropsim.kinematics import forward_batch
 from ropsim.planning.joint_limits.binding_kernel import (
+    Reached,
     four_in_a_row,
     joints_reached,
     look_at,
@@ -29,7 +30,7 @@ def test_joints_are_counted_move_by_move() -> None:
     most[:, 3] *= 1e3
     counts, longest, reached = np.empty((2, 4, 3)), np.empty((2, 2)), np.empty(len(looks))
     at, first = looks.astype(float), starts.astype(float)
-    joints_reached(qd, qdd, at, first, torque, most, PERIOD, SHARE, counts, longest, reached)
+    joints_reached(qd, qdd, at, first, torque, most, PERIOD, SHARE, Reached(counts, longest, reached))
     jerk = (qdd[looks + 1] - qdd[looks]) / PERIOD
     sizes = np.abs(np.stack((qd[looks], qdd[looks], torque, jerk), axis=1))
     there = sizes >= SHARE * np.repeat(most, np.diff(starts), axis=0)

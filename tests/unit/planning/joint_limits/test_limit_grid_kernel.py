@@ -4,17 +4,33 @@ import numpy as np
 import pytest
 
 from ropsim.motion import TimeLaw, jerk_limited
-from ropsim.planning.joint_limits.exceeding_kernel import exceeding, walk_at
-from ropsim.planning.joint_limits.grid_lines_kernel import MOST_PARTS, STEEP, band_times, lay_bands
+from ropsim.planning.joint_limits.exceeding_kernel import (
+    AtTicks,
+    ReferenceRows,
+    SectionLaw,
+    evaluate_section,
+    exceeding,
+)
+from ropsim.planning.joint_limits.grid_lines_kernel import (
+    MOST_PARTS,
+    STEEP,
+    GridLines,
+    SectionTimes,
+    band_times,
+    lay_grid,
+)
 from ropsim.planning.joint_limits.grid_reach_kernel import BESIDE, MOST_LONGER, reach_of
 from ropsim.planning.joint_limits.limit_grid_kernel import (
     FIRST_STEP,
     SECOND_STEP,
     THIRD_STEP,
-    bring_down,
+    GridBounds,
+    ImposedNumbers,
+    LoweredBounds,
+    lower_bounds,
     stages_of,
 )
-from ropsim.planning.joint_limits.slowed_sections_kernel import slower_ways
+from ropsim.planning.joint_limits.slowed_sections_kernel import GridNumbers, slowed_spans
 from ropsim.planning.trajectory.timing_kernel import lay_horizons
 from ropsim.spatial import Array
 from support.examples import examples
@@ -49,8 +65,8 @@ def test_caps_bring_bands_down_to_steps_below_them(seed: int) -> None:
     rows = np.array([rng.integers(0, high, h) for high in (3, 1, b, 6, 2)], dtype=np.float64)
     rows[1] = rng.uniform(0.7, 2.0, h)
     bounds, causes, told = np.empty((3, c)), np.full((2, c), -1.0), np.empty(1)
-    held = rows, h, places, borders, planned, before
-    bring_down(*held, bounds, causes, np.empty((4, b)), np.empty((2, h)), told)
+    imposed, grid = ImposedNumbers(rows, h, places), GridBounds(borders, planned, before)
+    lower_bounds(imposed, grid, np.empty((4, b)), np.empty((2, h)), LoweredBounds(bounds, causes, told))
     low, named = before.copy(), np.full((2, c), -1.0)
     spans = []
     for kind, value, tick, *_ in rows.T:
@@ -140,8 +156,8 @@ def test_bands_end_where_the_motion_is_at_times_and_where_stages_end(seed: int) 
     near = 1e-3
     asked, rows, told = np.empty(50), np.empty((4, 50)), np.empty(1)
     laid, bands = np.empty(len(begins)), np.empty((6, 51 + len(stages)))
-    fixed = law.segments, law.ends, start, times, stages, counts, near / ends[-1]
-    lay_bands(*fixed, asked, rows, laid, bands, told)
+    section, out = SectionTimes(law.segments, law.ends, start), GridLines(laid, bands, told)
+    lay_grid(section, times, stages, counts, near / ends[-1], asked, rows, out)
     assert laid.tolist() == begins.tolist()
     inside = times[(times > start) & (times < start + law.duration)] - start
     found = law.at(inside)
@@ -203,8 +219,8 @@ def test_ways_that_are_slower_are_told_with_the_band_that_loses_most(seed: int) 
     ways, most = np.empty((4, c)), float(law.speeds.max())
     pieces = np.searchsorted(begins[1:-1], borders, "right")
     now, then = (each.times_of(pieces, borders - begins[pieces]) for each in (slow, law))
-    fixed = borders, then, owners, begins, planned, bounds, causes, slow.segments, slow.ends, most
-    slower_ways(*fixed, np.empty((4, 2 * c)), ways, told)
+    grid = GridNumbers(borders, then, owners, begins, planned, bounds, causes)
+    slowed_spans(grid, slow.segments, slow.ends, most, np.empty((4, 2 * c)), ways, told)
     shares = 1.0 - (np.diff(borders) / np.diff(then) - np.diff(borders) / np.diff(now)) / most
     steps = np.diff(np.concatenate(([0], lower.astype(int), [0])))
     wanted = []
@@ -242,8 +258,8 @@ def test_what_joints_do_at_ticks_stands_beside_where_the_run_is(seed: int) -> No
         np.empty((2, 4, 2)),
         np.empty((2, 4, 2)),
     )
-    fixed = law.segments, law.duration, start, begins, phi, ticks, q, qd, qdd
-    walk_at(*fixed, np.empty(8), out, places, motion, changed)
+    section, reference = SectionLaw(law.segments, law.duration, start, begins), ReferenceRows(phi, q, qd, qdd)
+    evaluate_section(section, reference, ticks, np.empty(8), AtTicks(out, places, motion, changed))
     now = ticks.astype(int)
     pair = np.append(now - 1, now)
     rows = law.at(phi[pair] - start)
