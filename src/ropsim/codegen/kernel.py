@@ -32,9 +32,10 @@ def kernel(function: F) -> F:
 
     The annotations of its arguments are `int`, `float`, `Array1`, `Array2`, `Array3` or a `NamedTuple` class
     of these. The machine code is cached on disk and made or loaded at the first call. Functions of the same
-    module that it calls are compiled with it, and kernels of other modules with their own functions; they,
-    like the kernel, allocate nothing. Division by zero yields inf or nan as in numpy arrays, and sums keep
-    the order in which they are written (no fastmath), so that runs can be repeated bit by bit.
+    module that it calls are compiled with it, and so are kernels of other modules and functions of modules
+    whose names end with `_kernel`; they, like the kernel, allocate nothing. Division by zero yields inf or
+    nan as in numpy arrays, and sums keep the order in which they are written (no fastmath), so that runs can
+    be repeated bit by bit.
     """
     return cast("F", Kernel(function))
 
@@ -118,16 +119,24 @@ def _texts(function: FunctionType) -> str:
 
 
 def _reached(function: FunctionType) -> list[FunctionType]:
-    """Return a function and one of each other module whose kernels are compiled with it."""
+    """Return a function and one of each other module whose functions are compiled with it."""
     found = {function.__module__: function}
     waiting = [function]
     while waiting:
         for one in waiting.pop().__globals__.values():
-            inner = one.function if isinstance(one, Columns | Kernel) else None
+            inner = _function_in(one)
             if inner and inner.__module__ not in found:
                 found[inner.__module__] = inner
                 waiting.append(inner)
     return list(found.values())
+
+
+def _function_in(one: object) -> FunctionType | None:
+    """Return the Python function of a kernel, of columns or in a module of kernels; None for other things."""
+    if isinstance(one, Columns | Kernel):
+        return one.function
+    is_of_kernels = isinstance(one, FunctionType) and one.__module__.endswith("_kernel")
+    return one if is_of_kernels else None
 
 
 def _values(function: FunctionType) -> str:
@@ -167,6 +176,6 @@ def _scope(function: FunctionType, compiler: Compiler) -> dict[str, Any]:
             scope[name] = compiler.inside(FunctionType(inner.__code__, scope, name))
         elif isinstance(one, Shape):
             scope[name] = compiler.inside(one.function)
-        elif isinstance(one, Kernel | Columns):
-            scope[name] = _scope(one.function, compiler)[one.function.__name__]
+        elif other := _function_in(one):
+            scope[name] = _scope(other, compiler)[other.__name__]
     return _scopes.setdefault(texts, scope)

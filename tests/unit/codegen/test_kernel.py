@@ -16,6 +16,7 @@ from ropsim.codegen import Array1, Array2, Engine, bound, default_engine, kernel
 from ropsim.codegen.kernel import InPython, Kernel
 from ropsim.codegen.machine.numba_stages import STAGES
 from ropsim.codegen.machine.object_code import MachineCode, MissingNameError
+from ropsim.motion.time_law.time_law_kernel import plan_segments
 from ropsim.spatial import Array
 
 THIRD = 1.0 / 3.0
@@ -268,3 +269,12 @@ def test_a_number_of_another_module_is_compiled_anew_where_it_has_changed(tmp_pa
         )
         told.append(float(done.stdout))
     assert told == [1.5, 2.5]
+
+
+def test_functions_of_other_modules_of_kernels_are_compiled_with_a_kernel() -> None:
+    """A change in one of these modules changes the source, so that kept code of the old text is not found."""
+    assert isinstance(plan_segments, Kernel)
+    source = plan_segments.source()
+    for name in ("plan_segments", "write_rises", "level_off", "write_meeting"):
+        assert f"def {name}(" in source
+    assert "def rows_at(" not in source

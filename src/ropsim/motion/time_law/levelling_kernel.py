@@ -1,0 +1,200 @@
+"""Levelling a rise off: its acceleration taken back to 0 with full jerk; see `time_law_kernel`."""
+
+from math import inf, sqrt
+
+from ropsim.spatial import Array
+
+LEVELLED = 8e-15
+"""Relative; a speed that differs by no more from another one is that: so far several pieces round it."""
+ROUNDS = 100
+"""More steps than any search here needs, were it by halves alone."""
+NEAREST = 4e-16
+"""Relative; places nearer to each other are not distinguished."""
+LITTLE_LESS = 1.0 - 2.0 * NEAREST
+"""Factor on the last value that a search takes as allowed, so that it usually is allowed despite rounding."""
+NEWTON = 2e-8
+"""Relative; after a step of Newton no greater than this the remainder is its square, which is rounding."""
+SIXTH, THIRD = 1.0 / 6.0, 1.0 / 3.0
+
+
+def stoppable_speed(way: Array, piece: int, place: float, ahead: int) -> float:
+    """Return a speed, without acceleration, from which the motion can stop before the horizon of a piece.
+
+    Segments behind the horizon do not matter if both are equally fast. The backward pass from there is kept.
+    """
+    known, speed = int(way[5, ahead]), 0.0
+    if piece > known:
+        return speed
+    if way[10, ahead] >= piece:
+        known, speed = int(way[10, ahead]), way[11, ahead]
+    for k in range(known, piece, -1):
+        speed = reached_within(speed, way[0, k], way[2, k], way[3, k], way[4, k])
+        if speed == way[9, k]:
+            speed = way[9, piece + 1]
+            break
+    way[10, ahead], way[11, ahead] = piece, speed
+    return reached_within(speed, way[0, piece] - place, way[2, piece], way[3, piece], way[1, piece])
+
+
+def reached_within(speed: float, length: float, acceleration: float, jerk: float, most: float) -> float:
+    """Return the result of `_reached`, limited by a bound; usually the bound, by a quick check."""
+    change, both, square = most - speed, most + speed, acceleration * acceleration
+    if change <= 0.0:
+        return most
+    if length > 0.0:
+        if change * jerk < square:
+            if both * both * change <= length * length * jerk:
+                return most
+        elif both * (change * jerk + square) <= 2.0 * length * acceleration * jerk:
+            return most
+    return min(_reached(speed, length, acceleration, jerk), most)
+
+
+def _reached(speed: float, length: float, acceleration: float, jerk: float) -> float:
+    """Return the highest speed to which it can rise over a way, without acceleration at both ends.
+
+    Below the bound of acceleration it rises by w² with w³ + 2·speed·w = length·√jerk: Newton's steps fall to
+    the root of a convex function, from the value that either term alone would allow.
+    """
+    if length <= 0.0:
+        return speed
+    lag = acceleration * acceleration / jerk
+    wide = 2.0 * speed + lag
+    if length * jerk >= wide * acceleration:
+        half = acceleration * length - speed * lag
+        return speed + 4.0 * half / (wide + sqrt(wide * wide + 8.0 * half))
+    q: float = length * sqrt(jerk)
+    w: float = inf
+    if speed > 0.0:
+        w = 0.5 * q / speed
+    if w * w * w > q:
+        w = q ** (1.0 / 3.0)
+    for _ in range(ROUNDS):
+        step = (w * (w * w + 2.0 * speed) - q) / (3.0 * w * w + 2.0 * speed)
+        w -= step
+        if not step > NEWTON * w:
+            break
+    return speed + w * w
+
+
+def crossing_time(way: float, v: float, a: float, j: float) -> float:
+    """Return the time over a way with speed v and acceleration a at its start, before a jerk j < 0 ends a.
+
+    The way is convex in time then, so that Newton's steps fall to the root from above.
+    """
+    if way <= 0.0:
+        return 0.0
+    t: float = inf
+    if v > 0.0:
+        t = way / v
+    if j > 0.0:
+        if a * t * t > 2.0 * way:
+            t = sqrt(2.0 * way / a)
+        if j * t * t * t > 6.0 * way:
+            t = (6.0 * way / j) ** (1.0 / 3.0)
+    else:
+        t = min(t, -a / j)
+    for _ in range(ROUNDS):
+        step = (t * (v + t * (0.5 * a + t * (j * SIXTH))) - way) / (v + t * (a + 0.5 * t * j))
+        t -= step
+        if not step > NEWTON * t:
+            break
+    return t
+
+
+def level_off(
+    way: Array, piece: int, place: float, v: float, a: float, since: int
+) -> tuple[int, int, float, float, int, float]:
+    """Level the motion off from a place; `since` is the first piece whose horizon counts.
+
+    Returns:
+        0 where that keeps all bounds, 1 where it leads too fast over a boundary, 2 where its end is too fast
+        for its piece; piece, place and speed at the end; the first boundary or piece where it is too fast;
+        how much faster the end is with a little more acceleration at the start, as a share of that.
+    """
+    p = way.shape[1] - 1
+    fault, k, where = 0, piece, 0
+    bent, gained, shifted = 1.0, 0.0, 0.0  # acceleration, speed and place at the same time, as shares
+    while True:
+        length, jerk = way[0, k], way[3, k]
+        t = a / jerk
+        end, top = place + t * (v + a * t * THIRD), v + 0.5 * a * t
+        if end <= length or k + 1 == p:
+            break
+        t = crossing_time(length - place, v, a, -jerk)
+        shifted += t * (gained + 0.5 * t * bent)
+        gained += t * bent
+        v += t * (a - 0.5 * jerk * t)
+        a = max(a - jerk * t, 0.0)
+        place = 0.0
+        k += 1
+        bent += (jerk - way[3, k]) * shifted / v
+        if fault == 0 and (v > way[4, k] or a > way[2, k]):
+            fault, where = 1, k
+    gained += t * bent
+    if fault == 0:
+        if end > length:
+            fault, where = 1, p
+        elif top > way[1, k]:
+            fault, where = 2, k
+        else:
+            for i in range(since, k):
+                if way[5, i] < inf and top > stoppable_speed(way, k, end, i):
+                    return 1, k, end, top, i + 1, gained
+    return fault, k, end, top, where, gained
+
+
+def state_after(
+    t: float, v: float, a: float, jerk: float, until: float, most: float
+) -> tuple[float, float, float]:
+    """Return place, speed and acceleration at a time of a rise from place 0.
+
+    Args:
+        t: since the start [s].
+        v: at the start.
+        a: at the start.
+        jerk: for the time `until` [s].
+        until: see there.
+        most: acceleration after it.
+    """
+    if t <= until:
+        return t * (v + t * (0.5 * a + t * (jerk * SIXTH))), v + t * (a + 0.5 * jerk * t), a + jerk * t
+    place, v = until * (v + until * (0.5 * a + until * (jerk * SIXTH))), v + until * (a + 0.5 * jerk * until)
+    rest = t - until
+    return place + rest * (v + 0.5 * most * rest), v + most * rest, most
+
+
+def levelled_place(place: float, v: float, a: float, jerk: float) -> float:
+    """Return the place at which a motion is levelled off, were its piece endless."""
+    t = a / jerk
+    return place + t * (v + a * t * THIRD)
+
+
+def between(x1: float, x2: float, share: float) -> float:
+    """Return the value at a share of an interval, or a little lower, but never one of its ends."""
+    low, high = min(x1, x2), max(x1, x2)
+    return min(max((x1 + share * (x2 - x1)) * LITTLE_LESS, low + NEAREST * high), high - NEAREST * high)
+
+
+def root_share(x1: float, f1: float, x2: float, f2: float, x3: float, f3: float) -> float:
+    """Return where a root lies between two places, as a share of the way from the first to the second.
+
+    By inverse quadratic interpolation where that is known to serve, else in the middle (Chandrupatla 1997, A
+    new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function without using
+    derivatives, Advances in Engineering Software 28(3)).
+
+    Args:
+        x1: evaluated last.
+        f1: value there.
+        x2: on the other side of the root.
+        f2: value there.
+        x3: evaluated before.
+        f3: value there.
+    """
+    if f2 == f3 or x2 == x3:
+        return 0.5
+    share, level = (x1 - x2) / (x3 - x2), (f1 - f2) / (f3 - f2)
+    if not (level * level < share and (1.0 - level) * (1.0 - level) < 1.0 - share):
+        return 0.5
+    bend = (x3 - x1) / (x2 - x1) * f1 / (f3 - f1) * f2 / (f3 - f2)
+    return f1 / (f2 - f1) * f3 / (f2 - f3) + bend
