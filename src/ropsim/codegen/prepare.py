@@ -1,5 +1,6 @@
 """Write LLVM's texts of all kernels: `python -m ropsim.codegen.prepare ARCHIVE`, while a wheel is made."""
 
+import re
 import sys
 from collections.abc import Iterator
 from importlib import import_module
@@ -10,11 +11,14 @@ from ropsim.codegen.machine.object_code import ENTRY, portable_text, with_entry
 from ropsim.codegen.machine.prepared import names_in, prepared_name, write_prepared
 
 _PACKAGE = Path(__file__).parents[1]
+_MARK = re.compile("^@kernel$", re.MULTILINE)
 
 
 def kernels() -> Iterator[Kernel]:
     """Yield all kernels of ropsim, by module and name."""
-    for path in sorted(_PACKAGE.rglob("*_kernel.py")):
+    for path in sorted(_PACKAGE.rglob("*.py")):
+        if not _MARK.search(path.read_text(encoding="utf-8")):
+            continue
         module = import_module(".".join(("ropsim", *path.relative_to(_PACKAGE).with_suffix("").parts)))
         for _, one in sorted(vars(module).items()):
             if isinstance(one, Kernel) and one.function.__module__ == module.__name__:
