@@ -135,8 +135,9 @@ def _function_in(one: object) -> FunctionType | None:
     """Return the Python function of a kernel, of columns or in a module of kernels; None for other things."""
     if isinstance(one, Columns | Kernel):
         return one.function
-    is_of_kernels = isinstance(one, FunctionType) and one.__module__.endswith("_kernel")
-    return one if is_of_kernels else None
+    if isinstance(one, FunctionType) and one.__module__.endswith("_kernel"):
+        return one
+    return None
 
 
 def _values(function: FunctionType) -> str:

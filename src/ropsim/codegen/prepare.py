@@ -9,15 +9,16 @@ from pathlib import Path
 from ropsim.codegen.kernel import Kernel
 from ropsim.codegen.machine.object_code import ENTRY, portable_text, with_entry
 from ropsim.codegen.machine.prepared import names_in, prepared_name, write_prepared
+from ropsim.core import read_bytes
 
 _PACKAGE = Path(__file__).parents[1]
-_MARK = re.compile("^@kernel$", re.MULTILINE)
+_MARK = re.compile(b"^@kernel$", re.MULTILINE)
 
 
 def kernels() -> Iterator[Kernel]:
     """Yield all kernels of ropsim, by module and name."""
     for path in sorted(_PACKAGE.rglob("*.py")):
-        if not _MARK.search(path.read_text(encoding="utf-8")):
+        if not _MARK.search(read_bytes(path)):
             continue
         module = import_module(".".join(("ropsim", *path.relative_to(_PACKAGE).with_suffix("").parts)))
         for _, one in sorted(vars(module).items()):
