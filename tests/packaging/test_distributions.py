@@ -86,6 +86,38 @@ def test_a_wheel_carries_the_pages_and_the_examples(project: Path, tmp_path: Pat
     assert [name for name in names if "frontend" in name or name.endswith(".build")] == []
 
 
+def test_a_wheel_carries_the_kernels_prepared(project: Path, tmp_path: Path) -> None:
+    """The back-end of pip finds numba by a `PYTHONPATH` of its own, which the hook must leave."""
+    root = tmp_path / "checkout"
+    shutil.copytree(project, root)
+    source, package = ROOT / "src" / "ropsim", root / "src" / "ropsim"
+    for name in ("codegen", "core", "spatial"):
+        shutil.copytree(source / name, package / name, ignore=shutil.ignore_patterns("__pycache__", "*.zip"))
+    (package / "half_kernel.py").write_text(
+        '"""Half."""\n\nfrom ropsim.codegen import Array1, kernel\n\n\n@kernel\n'
+        'def half(x: Array1) -> None:\n    """Halve a number."""\n    x[0] *= 0.5\n'
+    )
+    wheel = built(root, "wheel", tmp_path / "dist")
+    with zipfile.ZipFile(wheel) as archive:
+        prepared = archive.extract("ropsim/codegen/prepared.zip", tmp_path)
+    with zipfile.ZipFile(prepared) as archive:
+        (name,) = archive.namelist()
+        assert name.startswith("half_")
+        assert "@ropsim_entry(" in archive.read(name).decode()
+
+
+def test_a_wheel_without_numba_is_made_without_kernels(
+    project: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    root = tmp_path / "checkout"
+    shutil.copytree(project, root)
+    (root / "src" / "ropsim" / "codegen").mkdir()
+    (root / "src" / "ropsim" / "codegen" / "prepare.py").write_text("import numba_that_is_not_there\n")
+    names = set(contents(built(root, "wheel", tmp_path / "dist")))
+    assert "ropsim/codegen/prepare.py" in names
+    assert "ropsim/codegen/prepared.zip" not in names
+
+
 def test_a_wheel_from_the_sdist_is_the_wheel_from_the_checkout(
     project: Path, unpacked: Path, tmp_path: Path
 ) -> None:
