@@ -32,7 +32,7 @@ def standing(
         period: time of a control tick [s].
         findings: on the moves.
     """
-    moves = tuple(TimedMove(leg.move, leg.planned.X_MT, leg.q_end, 0, 0.0) for leg in legs)
+    moves = tuple(TimedMove(move.move, move.planned.X_MT, move.q_end, 0, 0.0) for move in legs)
     nothing = JointReference(*(np.empty((0, len(q_start))) for _ in range(3)))
     return MotionPlan(moves, (), q_start, nothing, period, tuple(findings))
 
@@ -41,7 +41,7 @@ def in_ticks(
     chain: MotionChain,
     legs: Sequence[PlannedMove],
     zones: Sequence[float],
-    course: Timing,
+    timing: Timing,
     kept: RetimedTrajectory,
     findings: Sequence[Diagnostic],
 ) -> MotionPlan:
@@ -51,15 +51,15 @@ def in_ticks(
         chain: the entities, with the control period.
         legs: the moves.
         zones: that are flown at their ends [m].
-        course: of the sequence.
+        timing: of the sequence.
         kept: its motion within the limits of the joints, at all ticks of whole interpolation ticks.
         findings: on the moves.
     """
     period, phi = chain.controller.rates.control_period, kept.phi[1:]
     reference = _to_rest(kept.rows, legs[-1].q_end, Ticks(period).count(kept.clock.duration))
-    at, ends = np.empty((len(course.piece_ends) + len(course.runs), 2)), np.empty(len(legs) - 1)
-    times = course.table, course.piece_ends, np.array(course.ends[:-1]), phi, _SLACK * period
-    ticks_come(*times, at[: len(course.piece_ends)], at[len(course.piece_ends) :], ends)
+    at, ends = np.empty((len(timing.piece_ends) + len(timing.runs), 2)), np.empty(len(legs) - 1)
+    times = timing.table, timing.piece_ends, np.array(timing.ends[:-1]), phi, _SLACK * period
+    ticks_come(*times, at[: len(timing.piece_ends)], at[len(timing.piece_ends) :], ends)
     lasts = [0, *map(int, ends.tolist()), reference.ticks]
     moves, found = [], list(findings)
     for leg, zone, (first, last) in zip(legs, zones, pairwise(lasts), strict=True):
@@ -70,36 +70,38 @@ def in_ticks(
             along, q = planned.coordination, reference.q[max(first - 1, 0) : last]
             q = np.concatenate((kept.rows.q[:1], q)) if first == 0 else q
             achieved = AchievedPath(chain.robot, X_MT, q, along.frame if along else None)
-            triggers, told = trigger_ticks(move, achieved, first, period)
-            found += told
+            triggers, result = trigger_ticks(move, achieved, first, period)
+            found += result
         of_tool = planned.tool is not None
         moves.append(_move(move, X_MT, leg.q_end, last, zone, triggers, planned.limits, of_tool))
-    pieces, blends = _pieces(course, at.astype(np.int64).tolist())
-    return MotionPlan(tuple(moves), pieces, kept.rows.q[0], reference, period, tuple(found), blends)
+    path_segments, blends = _pieces(timing, at.astype(np.int64).tolist())
+    return MotionPlan(tuple(moves), path_segments, kept.rows.q[0], reference, period, tuple(found), blends)
 
 
 def _pieces(
-    course: Timing, ticks: Sequence[Sequence[int]]
+    timing: Timing, ticks: Sequence[Sequence[int]]
 ) -> tuple[tuple[TimedSegment, ...], tuple[tuple[int, int], ...]]:
     """Return the pieces, and the ways round corners and the overlaps in order of time.
 
     Args:
-        course: of the sequence.
+        timing: of the sequence.
         ticks: the last one before each piece, and the last one on it; behind these the same for the overlap
             of each run with the one before.
     """
-    pieces, blends, number = [], [], 0
-    for run in course.runs:
-        for piece in run.part.pieces:
-            (first, last), along = ticks[number], piece.coordination
-            pieces.append(_piece(piece.tool, piece.X_MT, first, last, along.frame if along else None))
-            if piece.corner is not None:
+    path_segments, blends, number = [], [], 0
+    for section in timing.runs:
+        for path_segment in section.part.pieces:
+            (first, last), along = ticks[number], path_segment.coordination
+            path_segments.append(
+                _piece(path_segment.tool, path_segment.X_MT, first, last, along.frame if along else None)
+            )
+            if path_segment.corner is not None:
                 blends.append((first, last))
             number += 1
-    for run, (first, last) in zip(course.runs, ticks[number:], strict=True):
-        if run.overlap > 0.0:
+    for section, (first, last) in zip(timing.runs, ticks[number:], strict=True):
+        if section.overlap > 0.0:
             blends.append((first, last))
-    return tuple(pieces), tuple(sorted(blends))
+    return tuple(path_segments), tuple(sorted(blends))
 
 
 def _to_rest(rows: JointPoints, q_end: Array, at_rest: int) -> JointReference:

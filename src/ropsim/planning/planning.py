@@ -73,12 +73,12 @@ def plan(
     wrong = check_start(state, chain.robot, sequence[0])
     if wrong:
         return None, wrong
-    legs, refusal = sequence_moves(chain, sequence, ahead, state.q)
-    while legs:
-        planned = _planned(chain, legs, state, payload)
+    moves, refusal = sequence_moves(chain, sequence, ahead, state.q)
+    while moves:
+        planned = _planned(chain, moves, state, payload)
         if isinstance(planned, MotionPlan):
             return planned, refusal
-        legs, refusal = legs[: planned.leg], planned.refusal
+        moves, refusal = moves[: planned.leg], planned.refusal
     return None, refusal
 
 
@@ -96,53 +96,55 @@ class _Hurdle:
 
 
 def _planned(
-    chain: MotionChain, legs: list[PlannedMove], state: MotionState, payload: Payload
+    chain: MotionChain, moves: list[PlannedMove], state: MotionState, payload: Payload
 ) -> MotionPlan | _Hurdle:
     """Return the motion through moves, or the move that cannot be made."""
-    findings = [finding for leg in legs for finding in leg.findings]
-    findings += beyond_arm(legs, chain.robot)
-    crawling = _crawling(legs)
-    for number, leg in enumerate(legs):
-        if number in crawling and check_duration(leg.move, alone := _time_alone(leg)):
-            return _too_long(legs, number, alone)
-        if refusal := correction_refusal(leg):
+    findings = [finding for move in moves for finding in move.findings]
+    findings += beyond_arm(moves, chain.robot)
+    crawling = _crawling(moves)
+    for number, move in enumerate(moves):
+        if number in crawling and check_duration(move.move, alone := _time_alone(move)):
+            return _too_long(moves, number, alone)
+        if refusal := correction_refusal(move):
             return _Hurdle(number, refusal)
-    corners = _corners(chain, legs, findings)
-    walks = segments_of(legs, corners)
-    for pieces, _ in walks:
-        for piece in pieces:
-            if piece.corner is None and (refusal := standing_refusal(legs[piece.leg], piece)):
-                return _Hurdle(piece.leg, refusal)
+    blends = _corners(chain, moves, findings)
+    walks = segments_of(moves, blends)
+    for path_segments, _ in walks:
+        for path_segment in path_segments:
+            if path_segment.corner is None and (
+                refusal := standing_refusal(moves[path_segment.leg], path_segment)
+            ):
+                return _Hurdle(path_segment.leg, refusal)
     rates = chain.controller.rates
     rules, period = TimingRules(TIME_LAWS[chain.time_law], chain.controller.look_ahead), rates.control_period
-    chosen = by_tool(legs, corners, walks, rules)
-    findings += (hint for one in chosen.stops for hint in stopped(legs[one].move, Stop.QUICKER))
-    course = chosen.course
-    if not course.runs:
-        return standing(legs, state.q, period, findings)
-    if late := _late(legs, course.ends):
-        return _too_long(legs, *late)
+    chosen = by_tool(moves, blends, walks, rules)
+    findings += (hint for one in chosen.stops for hint in stopped(moves[one].move, Stop.QUICKER))
+    timing = chosen.course
+    if not timing.runs:
+        return standing(moves, state.q, period, findings)
+    if late := _late(moves, timing.ends):
+        return _too_long(moves, *late)
     bounds = arm_bounds(chain.robot, payload)
-    if infeasible := _infeasible(legs, chosen.corners, state.q, chain.robot, bounds.joints):
+    if infeasible := _infeasible(moves, chosen.corners, state.q, chain.robot, bounds.joints):
         return infeasible
-    if any(leg.move.tracking for leg in legs):
+    if any(move.move.tracking for move in moves):
         bounds = beside_correction(bounds)
-    by_joint_limits = by_joints(legs, chosen, bounds, Ticks(period, rates.interpolation_ticks), rules)
-    findings += (hint for one in by_joint_limits.stops for hint in stopped(legs[one].move, Stop.SLOWED))
-    course, kept = by_joint_limits.keeping.course, by_joint_limits.keeping.kept
+    by_joint_limits = by_joints(moves, chosen, bounds, Ticks(period, rates.interpolation_ticks), rules)
+    findings += (hint for one in by_joint_limits.stops for hint in stopped(moves[one].move, Stop.SLOWED))
+    timing, kept = by_joint_limits.keeping.course, by_joint_limits.keeping.kept
     if isinstance(kept, Infeasible):
-        number = move_at(course.ends, kept.phi)
-        return _Hurdle(number, beyond_refusal(legs[number], kept, chain.robot))
-    if late := _late(legs, kept.clock.times_of(course.ends).tolist()):
-        return _Hurdle(late[0], Refusal(check_duration(legs[late[0]].move, late[1])))
-    findings += slowed_findings(legs, course.ends, by_joint_limits.keeping.slowed, chain.robot)
-    zones = achieved_zones(chain.robot, legs, by_joint_limits.corners, by_joint_limits.keeping.motion)
-    return in_ticks(chain, legs, zones, course, kept, findings)
+        number = move_at(timing.ends, kept.phi)
+        return _Hurdle(number, beyond_refusal(moves[number], kept, chain.robot))
+    if late := _late(moves, kept.clock.times_of(timing.ends).tolist()):
+        return _Hurdle(late[0], Refusal(check_duration(moves[late[0]].move, late[1])))
+    findings += slowed_findings(moves, timing.ends, by_joint_limits.keeping.slowed, chain.robot)
+    zones = achieved_zones(chain.robot, moves, by_joint_limits.corners, by_joint_limits.keeping.motion)
+    return in_ticks(chain, moves, zones, timing, kept, findings)
 
 
 def _infeasible(
-    legs: list[PlannedMove],
-    corners: Sequence[Blend | None],
+    moves: list[PlannedMove],
+    blends: Sequence[Blend | None],
     q_start: Array,
     robot: RobotModel,
     bounds: JointBounds,
@@ -150,50 +152,50 @@ def _infeasible(
     """Return the first move for which joints need far too long, as is seen without a time law.
 
     Args:
-        legs: the moves.
-        corners: between each two of them; None where the arm stops.
+        moves: the moves.
+        blends: between each two of them; None where the arm stops.
         q_start: joint coordinates at the start [rad | m], shape (n,).
         robot: the arm.
         bounds: capabilities of its joints.
     """
     if not may_take_too_long(robot, bounds):
         return None
-    for number, leg in enumerate(legs):
-        if refusal := joints_refusal(leg, bounds.speed):
+    for number, move in enumerate(moves):
+        if refusal := joints_refusal(move, bounds.speed):
             return _Hurdle(number, refusal)
-    stops = [0, *(number + 1 for number, corner in enumerate(corners) if corner is None), len(legs)]
+    stops = [0, *(number + 1 for number, blend in enumerate(blends) if blend is None), len(moves)]
     for first, last in pairwise(stops):
-        q_first = legs[first - 1].q_end if first else q_start
-        if found := rest_to_rest_refusal(legs[first:last], q_first, bounds):
+        q_first = moves[first - 1].q_end if first else q_start
+        if found := rest_to_rest_refusal(moves[first:last], q_first, bounds):
             return _Hurdle(first + found[0], found[1])
     return None
 
 
-def _late(legs: list[PlannedMove], ends: Sequence[float]) -> tuple[int, float] | None:
+def _late(moves: list[PlannedMove], ends: Sequence[float]) -> tuple[int, float] | None:
     """Return the first move that lasts too long, and how long [s]; None where all end soon enough.
 
     Args:
-        legs: the moves.
+        moves: the moves.
         ends: times at which they end [s].
     """
-    for number, (leg, (before, end)) in enumerate(zip(legs, pairwise((0.0, *ends)), strict=True)):
-        if check_duration(leg.move, end - before):
+    for number, (move, (before, end)) in enumerate(zip(moves, pairwise((0.0, *ends)), strict=True)):
+        if check_duration(move.move, end - before):
             return number, end - before
     return None
 
 
-def _too_long(legs: list[PlannedMove], number: int, duration: float) -> _Hurdle:
+def _too_long(moves: list[PlannedMove], number: int, duration: float) -> _Hurdle:
     """Return M513 for a move that lasts too long [s], or for the neighbour that makes its corner slow."""
-    beside = range(max(number - 1, 0), min(number + 2, len(legs)))
-    slowest = max(beside, key=lambda one: (_time_alone(legs[one]), one == number))
-    return _Hurdle(slowest, Refusal(check_duration(legs[slowest].move, duration)))
+    beside = range(max(number - 1, 0), min(number + 2, len(moves)))
+    slowest = max(beside, key=lambda one: (_time_alone(moves[one]), one == number))
+    return _Hurdle(slowest, Refusal(check_duration(moves[slowest].move, duration)))
 
 
-def _crawling(legs: Sequence[PlannedMove]) -> set[int]:
+def _crawling(moves: Sequence[PlannedMove]) -> set[int]:
     """Return the moves with a limit so small that their time is no number to plan with."""
     found, last, crawls = set[int](), None, False
-    for number, leg in enumerate(legs):
-        if (limits := leg.planned.limits) is not last:
+    for number, move in enumerate(moves):
+        if (limits := move.planned.limits) is not last:
             last, joints = limits, limits.joints
             of_joints = joints.speed.tolist(), joints.acceleration.tolist(), joints.jerk.tolist()
             crawls = min(*map(min, of_joints), *limits.tool.all) < _CRAWLING
@@ -202,34 +204,34 @@ def _crawling(legs: Sequence[PlannedMove]) -> set[int]:
     return found
 
 
-def _time_alone(leg: PlannedMove) -> float:
+def _time_alone(move: PlannedMove) -> float:
     """Return the time [s] below which a move cannot be made from rest to rest."""
-    limits = leg.planned.limits
-    if leg.joints is None:
+    limits = move.planned.limits
+    if move.joints is None:
         return 0.0
-    if own := own_law_of(leg.joints):
+    if own := own_law_of(move.joints):
         return own.duration
-    stages = (
-        along_with(tool_path_limits(leg.tool, limits.tool), leg.planned.coordination)
-        if leg.tool
-        else joint_path_limits(leg.joints, limits.joints)
+    path_limits = (
+        along_with(tool_path_limits(move.tool, limits.tool), move.planned.coordination)
+        if move.tool
+        else joint_path_limits(move.joints, limits.joints)
     )
-    way = sum(stage.length for stage in stages)
-    cruise = sum(stage.length / max(stage.speed, _SMALLEST) for stage in stages)
-    acceleration = max(_SMALLEST, *(stage.acceleration for stage in stages))
-    jerk = max(_SMALLEST, *(stage.jerk for stage in stages))
+    way = sum(stage.length for stage in path_limits)
+    cruise = sum(stage.length / max(stage.speed, _SMALLEST) for stage in path_limits)
+    acceleration = max(_SMALLEST, *(stage.acceleration for stage in path_limits))
+    jerk = max(_SMALLEST, *(stage.jerk for stage in path_limits))
     return max(cruise, math.sqrt(4.0 * way / acceleration), math.cbrt(32.0 * way / jerk))
 
 
-def _corners(chain: MotionChain, legs: list[PlannedMove], findings: list[Diagnostic]) -> list[Blend | None]:
+def _corners(chain: MotionChain, moves: list[PlannedMove], findings: list[Diagnostic]) -> list[Blend | None]:
     """Return the rounded corners between moves, None where the arm stops or where nothing moves."""
-    corners: list[Blend | None] = []
-    for before, behind in pairwise(legs):
+    blends: list[Blend | None] = []
+    for before, behind in pairwise(moves):
         found = blend_between(chain, before, behind)
         if isinstance(found, Stop):
             findings += stopped(before.move, found)
-            corners.append(None)
+            blends.append(None)
         else:
             findings += clipped(before.move, found)
-            corners.append(found)
-    return corners
+            blends.append(found)
+    return blends

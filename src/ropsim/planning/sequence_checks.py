@@ -94,19 +94,19 @@ def beside_correction(bounds: ArmBounds) -> ArmBounds:
     return replace(bounds, joints=kept)
 
 
-def beyond_arm(legs: Sequence[PlannedMove], robot: RobotModel) -> tuple[Diagnostic, ...]:
+def beyond_arm(moves: Sequence[PlannedMove], robot: RobotModel) -> tuple[Diagnostic, ...]:
     """Return M588 for each path of the tool with a speed that no motion of the arm has.
 
     Args:
-        legs: the moves.
+        moves: the moves.
         robot: the arm.
     """
     return tuple(
-        _beyond(leg, speed, bound)
-        for leg in legs
-        if leg.tool is not None
-        if (speed := leg.move.modal.path_speed) is not None
-        if speed > (bound := _bound(robot, leg.planned.X_MT))
+        _beyond(move, speed, bound)
+        for move in moves
+        if move.tool is not None
+        if (speed := move.move.modal.path_speed) is not None
+        if speed > (bound := _bound(robot, move.planned.X_MT))
     )
 
 
@@ -115,12 +115,12 @@ def _bound(robot: RobotModel, X_MT: Pose) -> float:
     return speed_bound(robot, X_MT.position)
 
 
-def _beyond(leg: PlannedMove, speed: float, bound: float) -> Diagnostic:
+def _beyond(move: PlannedMove, speed: float, bound: float) -> Diagnostic:
     return SPEED_BEYOND_ARM.at(
-        leg.move.origin.span,
+        move.move.origin.span,
         f"the speed of {speed:.4g} m/s is beyond the arm: with this tool none of its motions is faster than "
         f"{bound:.2g} m/s",
-        label=passes(leg.move.origin),
+        label=passes(move.move.origin),
         hint="give the speed that is meant; a unit behind it says which, as in `speed 250 mm/s`",
         data={"speed_m_s": speed, "bound_m_s": bound},
     )
@@ -133,30 +133,30 @@ _NOTHING = 1e-12
 """A bound of speed, acceleration or jerk that is less stands for a path on which nothing can move."""
 
 
-def standing_refusal(leg: PlannedMove, piece: PathSegment) -> Refusal | None:
+def standing_refusal(move: PlannedMove, path_segment: PathSegment) -> Refusal | None:
     """Return M567 for a curve that turns back in a point, where the tool would have to stand for ever.
 
     Args:
-        leg: the move.
-        piece: a part of its path.
+        move: the move.
+        path_segment: a part of its path.
     """
-    tool = leg.planned.tool
+    tool = move.planned.tool
     if tool is None or constant_derivatives(tool) is not None:
         return None
-    stages = piece.stages.rows
-    if len(stages) == 1:
-        _, v, a, j = stages[0].tolist()
+    path_limits = path_segment.stages.rows
+    if len(path_limits) == 1:
+        _, v, a, j = path_limits[0].tolist()
         if _NOTHING < v < math.inf and _NOTHING < a < math.inf and _NOTHING < j < math.inf:
             return None
-    least = piece.stages.bounds.min(axis=1)
+    least = path_segment.stages.bounds.min(axis=1)
     wrong = np.flatnonzero(~((least > _NOTHING) & (least < math.inf)))
     if len(wrong) == 0:
         return None
-    share = (piece.begin + float(stages[: wrong[0], 0].sum())) / tool.length
+    share = (path_segment.begin + float(path_limits[: wrong[0], 0].sum())) / tool.length
     finding = NO_SPLINE.at(
-        leg.move.origin.span,
+        move.move.origin.span,
         f"the curve turns back after {share:.0%} of its way, so sharply that the tool cannot pass",
-        label=passes(leg.move.origin),
+        label=passes(move.move.origin),
         hint="put the points further apart, or in an order in which the curve goes on",
         data={"place": share},
     )
@@ -177,22 +177,22 @@ def may_take_too_long(robot: RobotModel, bounds: JointBounds) -> bool:
     return not bool((longest <= MAX_DURATION).all())
 
 
-def joints_refusal(leg: PlannedMove, speeds: Array) -> Refusal | None:
+def joints_refusal(move: PlannedMove, speeds: Array) -> Refusal | None:
     """Return M513 for a path of the tool on which a joint needs too long at its greatest speed.
 
     Args:
-        leg: the move.
+        move: the move.
         speeds: limits of the joints [rad/s | m/s], shape (n,).
     """
-    if leg.tool is None or leg.joints is None:
+    if move.tool is None or move.joints is None:
         return None
-    ways = np.abs(np.diff(leg.joints.joints(_PLACES * leg.joints.length).q, axis=0)).sum(axis=0)
-    found = check_duration(leg.move, float((ways / speeds).max()))
+    ways = np.abs(np.diff(move.joints.joints(_PLACES * move.joints.length).q, axis=0)).sum(axis=0)
+    found = check_duration(move.move, float((ways / speeds).max()))
     return Refusal(found) if found else None
 
 
 def rest_to_rest_refusal(
-    legs: Sequence[PlannedMove], q_start: Array, bounds: JointBounds
+    moves: Sequence[PlannedMove], q_start: Array, bounds: JointBounds
 ) -> tuple[int, Refusal] | None:
     """Return M513 for moves from one stop to the next for which a joint needs too long by its limits alone.
 
@@ -200,17 +200,17 @@ def rest_to_rest_refusal(
     (Biagiotti and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4).
 
     Args:
-        legs: the moves, from one stop to the next.
+        moves: the moves, from one stop to the next.
         q_start: joint coordinates at their start [rad | m], shape (n,).
         bounds: capabilities of the joints.
 
     Returns:
         the number of the move in which that joint goes furthest, and the refusal; None where there is time.
     """
-    ends = np.array([q_start, *(leg.q_end for leg in legs)])
+    ends = np.array([q_start, *(move.q_end for move in moves)])
     way = np.abs(ends[-1] - q_start)
     rises = np.sqrt(4.0 * way / bounds.acceleration), np.cbrt(32.0 * way / bounds.jerk)
     times = np.maximum(way / bounds.speed, np.maximum(*rises))
     number = int(np.abs(np.diff(ends[:, int(np.argmax(times))])).argmax())
-    found = check_duration(legs[number].move, float(times.max()) / len(legs))
+    found = check_duration(moves[number].move, float(times.max()) / len(moves))
     return (number, Refusal(found)) if found else None

@@ -72,27 +72,27 @@ def _told(
 def _chosen(
     chain: MotionChain, sequence: Sequence[MoveInstruction], q_start: Array
 ) -> tuple[list[PlannedMove], Refusal | None]:
-    legs, refusal = planned_moves(chain, sequence, q_start)
-    conflicts = _conflicts(chain, sequence, legs, refusal)
+    moves, refusal = planned_moves(chain, sequence, q_start)
+    conflicts = _conflicts(chain, sequence, moves, refusal)
     if not conflicts:
-        return legs, refusal
+        return moves, refusal
     best = search(chain, sequence, q_start, conflicts)
-    return (legs, refusal) if best.changes == 0 else (list(best.legs), best.refusal)
+    return (moves, refusal) if best.changes == 0 else (list(best.legs), best.refusal)
 
 
 def _conflicts(
     chain: MotionChain,
     sequence: Sequence[MoveInstruction],
-    legs: Sequence[PlannedMove],
+    moves: Sequence[PlannedMove],
     refusal: Refusal | None,
 ) -> list[Conflict]:
     """Return the conflicts that another posture may avoid, in order of the moves; empty without a choice."""
-    first = next((number for number, leg in enumerate(legs) if has_choice(leg.move)), len(legs))
+    first = next((number for number, move in enumerate(moves) if has_choice(move.move)), len(moves))
     conflicts = [
         found
-        for number, leg in enumerate(legs[first:], first)
-        if leg.tool is not None and (found := conflict_of(chain.robot, leg, number))
+        for number, move in enumerate(moves[first:], first)
+        if move.tool is not None and (found := conflict_of(chain.robot, move, number))
     ]
-    if refusal and first < len(legs):
-        conflicts += conflict_of_refusal(sequence[len(legs)], refusal, len(legs))
+    if refusal and first < len(moves):
+        conflicts += conflict_of_refusal(sequence[len(moves)], refusal, len(moves))
     return conflicts

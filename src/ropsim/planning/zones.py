@@ -79,7 +79,7 @@ def _stops(move: MoveInstruction, why: str, hint: str) -> tuple[Diagnostic, ...]
 
 
 def achieved_zones(
-    robot: RobotModel, legs: Sequence[PlannedMove], corners: Sequence[Blend | None], motion: Trajectory
+    robot: RobotModel, moves: Sequence[PlannedMove], blends: Sequence[Blend | None], motion: Trajectory
 ) -> list[float]:
     """Return the distance from the target of each move at which the path leaves it [m]; 0 where it stops.
 
@@ -89,18 +89,22 @@ def achieved_zones(
 
     Args:
         robot: the arm with its external axes.
-        legs: the moves.
-        corners: between each two of them; None where the arm stops.
+        moves: the moves.
+        blends: between each two of them; None where the arm stops.
         motion: their timing.
     """
-    zones = [one.zone if one else 0.0 for one in corners] + [0.0]
-    runs = [(run, behind.start) for run, behind in pairwise(motion.course.runs) if run.part.over is not None]
-    if not runs:
+    zones = [one.zone if one else 0.0 for one in blends] + [0.0]
+    sections = [
+        (section, behind.start)
+        for section, behind in pairwise(motion.course.runs)
+        if section.part.over is not None
+    ]
+    if not sections:
         return zones
-    numbers = [run.part.pieces[-1].leg for run, _ in runs]
-    q = motion.at(np.array([start for _, start in runs])).q
-    tools = [legs[number].planned.X_MT for number in numbers]
-    q = np.concatenate((q.reshape(-1), *(legs[number].q_end for number in numbers)))
+    numbers = [section.part.pieces[-1].leg for section, _ in sections]
+    q = motion.at(np.array([start for _, start in sections])).q
+    tools = [moves[number].planned.X_MT for number in numbers]
+    q = np.concatenate((q.reshape(-1), *(moves[number].q_end for number in numbers)))
     leaves, targets = tool_places(robot, q, tools + tools).reshape(2, -1, 3)
     for number, (x, y, z) in zip(numbers, (leaves - targets).tolist(), strict=True):
         zones[number] = math.sqrt(x * x + y * y + z * z)

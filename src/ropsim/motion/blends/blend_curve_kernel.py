@@ -154,10 +154,10 @@ def corner_polynomials(
     d1: Array2,
     d2: Array2,
     scales: Array1,
-    room: Array2,
+    work: Array2,
     coefficients: Array3,
     middles: Array3,
-    told: Array1,
+    result: Array1,
 ) -> None:
     """Write the quintic Hermite polynomials of position and rotation vector between two ends.
 
@@ -167,25 +167,25 @@ def corner_polynomials(
         d1: first derivatives by the way there, shape (2, 6).
         d2: second ones.
         scales: ds/du at both ends, shape (2,).
-        room: to work in, shape (15, 3).
+        work: to work in, shape (15, 3).
         coefficients: where those of u⁰ to u⁵ go, shape (1, 6, 6).
         middles: where the orientation goes that rotation vectors count from, shape (1, 3, 3).
-        told: where the greatest of these goes [rad], shape (1,).
+        result: where the greatest of these goes [rad], shape (1,).
     """
-    half, still, middle = room[0:1], room[1:2], middles[0]
-    _logarithm(matrices, room[2:6], half[0])
+    half, still, middle = work[0:1], work[1:2], middles[0]
+    _logarithm(matrices, work[2:6], half[0])
     for i in range(3):
         half[0, i] *= 0.5
         still[0, i] = 0.0
-    turning_rows(series, half, still, still, middles, room[3:4], room[4:5])  # exp of the half, for now
+    turning_rows(series, half, still, still, middles, work[3:4], work[4:5])  # exp of the half, for now
     for j in range(3):
         x, y, z = middle[0, j], middle[1, j], middle[2, j]
         for i in range(3):
-            room[2 + i, j] = matrices[0, i, 0] * x + matrices[0, i, 1] * y + matrices[0, i, 2] * z
+            work[2 + i, j] = matrices[0, i, 0] * x + matrices[0, i, 1] * y + matrices[0, i, 2] * z
     for i in range(3):
         for j in range(3):
-            middle[i, j] = room[2 + i, j]
-    vectors, speed, change, rate, bend = room[5:7], room[7:9], room[9:11], room[11:13], room[13:15]
+            middle[i, j] = work[2 + i, j]
+    vectors, speed, change, rate, bend = work[5:7], work[7:9], work[9:11], work[11:13], work[13:15]
     for end in range(2):
         c = scales[end]
         for i in range(3):
@@ -204,7 +204,7 @@ def corner_polynomials(
             matrices[1, i, 3], d1[1, i] * other, d2[1, i] * (other * other),
         )  # fmt: skip
         _quintic(C, 3 + i, vectors[0, i], rate[0, i], bend[0, i], vectors[1, i], rate[1, i], bend[1, i])
-    told[0] = _greatest_turn(C)
+    result[0] = _greatest_turn(C)
 
 
 def _quintic(C: Array, column: int, x: float, v: float, a: float, y: float, w: float, b: float) -> None:
@@ -218,8 +218,8 @@ def _quintic(C: Array, column: int, x: float, v: float, a: float, y: float, w: f
 def _greatest_turn(C: Array) -> float:
     """Return the greatest length of rotation vectors where it is looked; NaN where one is none."""
     greatest = 0.0
-    for look in range(LOOKS + 1):
-        u, square = look / LOOKS, 0.0
+    for sample in range(LOOKS + 1):
+        u, square = sample / LOOKS, 0.0
         for i in range(3, 6):
             value = 0.0
             for k in range(5, -1, -1):
@@ -230,7 +230,7 @@ def _greatest_turn(C: Array) -> float:
     return sqrt(greatest)
 
 
-def _logarithm(matrices: Array, room: Array, vector: Array) -> None:
+def _logarithm(matrices: Array, work: Array, vector: Array) -> None:
     """Write the rotation vector, of at most half a turn, from the first to the second orientation (3,) [rad].
 
     By the quaternion whose largest component divides the others (Shepperd 1978).
@@ -240,20 +240,20 @@ def _logarithm(matrices: Array, room: Array, vector: Array) -> None:
             total = 0.0
             for k in range(3):
                 total += matrices[0, k, i] * matrices[1, k, j]
-            room[i, j] = total
-    trace = room[0, 0] + room[1, 1] + room[2, 2]
+            work[i, j] = total
+    trace = work[0, 0] + work[1, 1] + work[2, 2]
     w, largest, axis = 1.0 + trace, 1.0 + trace, -1
     for i in range(3):
-        square = 1.0 + 2.0 * room[i, i] - trace
+        square = 1.0 + 2.0 * work[i, i] - trace
         if square > largest:
             largest, axis = square, i
-    x, y, z = room[2, 1] - room[1, 2], room[0, 2] - room[2, 0], room[1, 0] - room[0, 1]
+    x, y, z = work[2, 1] - work[1, 2], work[0, 2] - work[2, 0], work[1, 0] - work[0, 1]
     if axis == 0:
-        w, x, y, z = x, largest, room[1, 0] + room[0, 1], room[0, 2] + room[2, 0]
+        w, x, y, z = x, largest, work[1, 0] + work[0, 1], work[0, 2] + work[2, 0]
     elif axis == 1:
-        w, x, y, z = y, room[1, 0] + room[0, 1], largest, room[2, 1] + room[1, 2]
+        w, x, y, z = y, work[1, 0] + work[0, 1], largest, work[2, 1] + work[1, 2]
     elif axis == 2:
-        w, x, y, z = z, room[0, 2] + room[2, 0], room[2, 1] + room[1, 2], largest
+        w, x, y, z = z, work[0, 2] + work[2, 0], work[2, 1] + work[1, 2], largest
     size = sqrt(w * w + x * x + y * y + z * z)
     if w < 0.0:
         size = -size

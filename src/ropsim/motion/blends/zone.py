@@ -57,14 +57,14 @@ def enter(positions: Callable[[Array], Array], length: float, zone: float, clip:
 
 def _way_out(positions: Callable[[Array], Array], zone: float, clip: float) -> float:
     """Return the first way at which the distance from the place at way 0 is `zone`, at most `clip`."""
-    looks, state, centre = np.empty((3, MOST_LOOKS)), np.zeros(LOOK_STATE), np.zeros(3)
-    look_further(ZONE_SHARES, ZONE_NODES, zone, clip, looks, state)
+    samples, state, centre = np.empty((3, MOST_LOOKS)), np.zeros(LOOK_STATE), np.zeros(3)
+    look_further(ZONE_SHARES, ZONE_NODES, zone, clip, samples, state)
     first = True
     while count := int(state[LOOK_COUNT]):
-        places = positions(looks[LOOK_WAYS, :count].copy())
+        places = positions(samples[LOOK_WAYS, :count].copy())
         centre = places[0] if first else centre
         # the square of the distance is also smooth at the centre, and on a line a parabola
-        looks[LOOK_SQUARES, :count] = np.sum(np.square(places - centre), axis=1)
-        look_further(ZONE_SHARES, ZONE_NODES, zone, clip, looks, state)
+        samples[LOOK_SQUARES, :count] = np.sum(np.square(places - centre), axis=1)
+        look_further(ZONE_SHARES, ZONE_NODES, zone, clip, samples, state)
         first = False
     return float(state[LOOK_FOUND])

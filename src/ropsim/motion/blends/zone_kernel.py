@@ -30,7 +30,7 @@ STEPS = 60
 
 @kernel
 def look_further(
-    shares: Array1, nodes: Array2, zone: float, clip: float, looks: Array2, state: Array1
+    shares: Array1, nodes: Array2, zone: float, clip: float, samples: Array2, state: Array1
 ) -> None:
     """Take the squares of the distances that were requested, and request the next ones.
 
@@ -44,7 +44,7 @@ def look_further(
         nodes: shares of an interval, and below the matrix from values there to coefficients, shape (10, 9).
         zone: distance from the place at way 0 [m].
         clip: the farthest way.
-        looks: rows as above; the squares [m²] of as many path parameters as were requested, shape (3,
+        samples: rows as above; the squares [m²] of as many path parameters as were requested, shape (3,
             `MOST_LOOKS`).
         state: of the search, as above; zeros at first, shape (`LOOK_STATE`,).
     """
@@ -53,81 +53,83 @@ def look_further(
         if zone <= 0.0 or clip <= 0.0:
             _end(0.0, state)
         else:
-            _look_at_grid(shares, 0, min(AT_ONCE, shares.shape[0]), clip, looks, state)
+            _look_at_grid(shares, 0, min(AT_ONCE, shares.shape[0]), clip, samples, state)
     elif phase == COARSELY:
-        _take_grid(shares, nodes, square, clip, looks, state)
+        _take_grid(shares, nodes, square, clip, samples, state)
     elif phase == CLOSELY:
-        _take_close(shares, nodes, square, clip, looks, state)
+        _take_close(shares, nodes, square, clip, samples, state)
     elif phase == BETWEEN:
-        _take_nodes(nodes, square, looks, state)
+        _take_nodes(nodes, square, samples, state)
     else:
-        off = looks[LOOK_SQUARES, 0] - square
+        off = samples[LOOK_SQUARES, 0] - square
         state[SHARE] = min(max(state[SHARE] - off / state[SLOPE], 0.0), 1.0)
         state[MENDED] += 1.0
         if abs(off) <= QUITE * square or state[MENDED] == MOST_MENDS:
             _end(state[LOW] + state[WIDTH] * state[SHARE], state)
         else:
-            _look_once(looks, state)
+            _look_once(samples, state)
 
 
-def _take_grid(shares: Array, nodes: Array, square: float, clip: float, looks: Array, state: Array) -> None:
+def _take_grid(shares: Array, nodes: Array, square: float, clip: float, samples: Array, state: Array) -> None:
     """Go on from squares of the grid: with the next of it where all are within the zone."""
     begin, count = int(state[FIRST]), int(state[LOOK_COUNT])
     first = begin
     for i in range(count):
-        looks[KEPT, begin + i] = looks[LOOK_SQUARES, i] - square
-        if first == begin + i and not looks[KEPT, first] >= 0.0:
+        samples[KEPT, begin + i] = samples[LOOK_SQUARES, i] - square
+        if first == begin + i and not samples[KEPT, first] >= 0.0:
             first += 1
     state[FIRST] = first
     if first == begin + count and first < shares.shape[0]:
         last = min(first + AT_ONCE_THEN, shares.shape[0])
-        _look_at_grid(shares, first, last, clip, looks, state)
+        _look_at_grid(shares, first, last, clip, samples, state)
     else:
-        _look_closely(shares, nodes, square, clip, looks, state)
+        _look_closely(shares, nodes, square, clip, samples, state)
 
 
-def _take_close(shares: Array, nodes: Array, square: float, clip: float, looks: Array, state: Array) -> None:
+def _take_close(
+    shares: Array, nodes: Array, square: float, clip: float, samples: Array, state: Array
+) -> None:
     """Go on from squares around a peak: with where the path leaves there, or with the next peak."""
     at = 0
-    while at < MOST_LOOKS and not looks[LOOK_SQUARES, at] - square >= 0.0:
+    while at < MOST_LOOKS and not samples[LOOK_SQUARES, at] - square >= 0.0:
         at += 1
     if at < MOST_LOOKS:
-        low = looks[LOOK_WAYS, max(at - 1, 0)]
-        _look_between(nodes, low, looks[LOOK_WAYS, max(at, 1)] - low, looks, state)
+        low = samples[LOOK_WAYS, max(at - 1, 0)]
+        _look_between(nodes, low, samples[LOOK_WAYS, max(at, 1)] - low, samples, state)
     else:
-        _look_closely(shares, nodes, square, clip, looks, state)
+        _look_closely(shares, nodes, square, clip, samples, state)
 
 
-def _take_nodes(nodes: Array, square: float, looks: Array, state: Array) -> None:
+def _take_nodes(nodes: Array, square: float, samples: Array, state: Array) -> None:
     """Go on from squares at nodes: with where the polynomial through them is 0."""
     for k in range(DEGREE + 1):
         total = 0.0
         for i in range(DEGREE + 1):
-            total += nodes[1 + k, i] * (looks[LOOK_SQUARES, i] - square)
-        looks[KEPT, k] = total
-    state[SHARE] = _root(looks[KEPT])
-    state[SLOPE] = _slope(looks[KEPT], state[SHARE])
+            total += nodes[1 + k, i] * (samples[LOOK_SQUARES, i] - square)
+        samples[KEPT, k] = total
+    state[SHARE] = _root(samples[KEPT])
+    state[SLOPE] = _slope(samples[KEPT], state[SHARE])
     if state[SLOPE] > 0.0:
-        _look_once(looks, state)
+        _look_once(samples, state)
     else:
         _end(state[LOW] + state[WIDTH] * state[SHARE], state)
 
 
-def _look_at_grid(shares: Array, first: int, last: int, clip: float, looks: Array, state: Array) -> None:
+def _look_at_grid(shares: Array, first: int, last: int, clip: float, samples: Array, state: Array) -> None:
     """Request the path parameters of the grid from one to another."""
     state[PHASE], state[LOOK_COUNT], state[FIRST] = COARSELY, last - first, first
     for i in range(last - first):
-        looks[LOOK_WAYS, i] = shares[first + i] * clip
+        samples[LOOK_WAYS, i] = shares[first + i] * clip
 
 
 def _look_closely(
-    shares: Array, nodes: Array, square: float, clip: float, looks: Array, state: Array
+    shares: Array, nodes: Array, square: float, clip: float, samples: Array, state: Array
 ) -> None:
     """Request path parameters around the next peak, or between the last one inside and the first outside."""
     first, peak = int(state[FIRST]), int(state[PEAK]) + 1
     while peak < first - 1:
-        here = looks[KEPT, peak]
-        if here >= looks[KEPT, peak - 1] and here >= looks[KEPT, peak + 1] and here > NEAR * square:
+        here = samples[KEPT, peak]
+        if here >= samples[KEPT, peak - 1] and here >= samples[KEPT, peak + 1] and here > NEAR * square:
             break
         peak += 1
     state[PEAK] = peak
@@ -135,25 +137,25 @@ def _look_closely(
         begin, end = shares[peak - 1] * clip, shares[peak + 1] * clip
         state[PHASE], state[LOOK_COUNT] = CLOSELY, MOST_LOOKS
         for i in range(MOST_LOOKS):
-            looks[LOOK_WAYS, i] = begin + i * ((end - begin) / (MOST_LOOKS - 1))
+            samples[LOOK_WAYS, i] = begin + i * ((end - begin) / (MOST_LOOKS - 1))
     elif first == shares.shape[0]:
         _end(clip, state)
     else:
         low = shares[first - 1] * clip
-        _look_between(nodes, low, shares[first] * clip - low, looks, state)
+        _look_between(nodes, low, shares[first] * clip - low, samples, state)
 
 
-def _look_between(nodes: Array, low: float, width: float, looks: Array, state: Array) -> None:
+def _look_between(nodes: Array, low: float, width: float, samples: Array, state: Array) -> None:
     """Request the path parameters at the nodes of an interval."""
     state[PHASE], state[LOOK_COUNT], state[LOW], state[WIDTH] = BETWEEN, DEGREE + 1, low, width
     for i in range(DEGREE + 1):
-        looks[LOOK_WAYS, i] = low + width * nodes[0, i]
+        samples[LOOK_WAYS, i] = low + width * nodes[0, i]
 
 
-def _look_once(looks: Array, state: Array) -> None:
+def _look_once(samples: Array, state: Array) -> None:
     """Request the present path parameter."""
     state[PHASE], state[LOOK_COUNT] = MENDS, 1.0
-    looks[LOOK_WAYS, 0] = state[LOW] + state[WIDTH] * state[SHARE]
+    samples[LOOK_WAYS, 0] = state[LOW] + state[WIDTH] * state[SHARE]
 
 
 def _end(way: float, state: Array) -> None:

@@ -121,16 +121,16 @@ def curve_at(coefficients: Array3, u: Array1, p: Array2, d1: Array2, d2: Array2)
 
 
 @kernel
-def speed_range(coefficients: Array3, steps: int, room: Array1, out: Array2) -> None:
+def speed_range(coefficients: Array3, steps: int, work: Array1, out: Array2) -> None:
     """Write the least and the greatest |p'| at the ends of the steps of each segment, shape (c, 2).
 
     Args:
         coefficients: of the segments, shape (c, 6, 6).
         steps: of each segment.
-        room: to work in, shape (2·steps + 2,).
+        work: to work in, shape (2·steps + 2,).
         out: where they go.
     """
-    t, speeds = room[: steps + 1], room[steps + 1 : 2 * steps + 2]
+    t, speeds = work[: steps + 1], work[steps + 1 : 2 * steps + 2]
     for step in range(steps + 1):
         t[step] = step / steps
     for segment in range(coefficients.shape[0]):
@@ -147,7 +147,7 @@ def way_of_steps(
     steps: int,
     points: Array1,
     weights: Array1,
-    room: Array1,
+    work: Array1,
     ends: Array1,
     inverse: Array2,
 ) -> None:
@@ -158,12 +158,12 @@ def way_of_steps(
         steps: of each segment.
         points: of the quadrature in [0, 1], shape (g,).
         weights: of these, shape (g,).
-        room: to work in, shape (3·steps + 3,).
+        work: to work in, shape (3·steps + 3,).
         ends: where the ways go, and 0 before them, shape (c·steps + 1,).
         inverse: where the coefficients of t go, shape (c·steps, 6).
     """
-    t, firsts = room[: steps + 1], room[steps + 1 : 2 * steps + 2]
-    seconds, speeds = room[2 * steps + 2 : 3 * steps + 3], room[steps + 1 : 2 * steps + 1]
+    t, firsts = work[: steps + 1], work[steps + 1 : 2 * steps + 2]
+    seconds, speeds = work[2 * steps + 2 : 3 * steps + 3], work[steps + 1 : 2 * steps + 1]
     ends[0] = 0.0
     for segment in range(coefficients.shape[0]):
         C, row = coefficients[segment], segment * steps

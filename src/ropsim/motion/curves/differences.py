@@ -59,9 +59,9 @@ def derivatives_and_roughness(rows: Array) -> tuple[Array, Array | None]:
     half = count // 2 + 1
     if count % 2 == 0 or half <= _SIDED:
         return row_derivatives(rows, 1.0), None
-    out, coarse, rough = np.empty((2, count, n)), np.empty((3, half, n)), np.empty(half - 1)
-    rows_with_error(rows, *stencils(), out, coarse[0], coarse[1:], rough)
-    return out, rough
+    out, coarse, error = np.empty((2, count, n)), np.empty((3, half, n)), np.empty(half - 1)
+    rows_with_error(rows, *stencils(), out, coarse[0], coarse[1:], error)
+    return out, error
 
 
 def numeric_points(matrices_at: Callable[[Array], Array], s: Array, length: float) -> ToolPoints:

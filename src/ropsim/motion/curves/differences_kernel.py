@@ -30,7 +30,7 @@ def rows_with_error(
     out: Array3,
     coarse: Array2,
     coarse_out: Array3,
-    rough: Array1,
+    error: Array1,
 ) -> None:
     """Write the derivatives of every row, and how far the path through every second row passes the others.
 
@@ -44,7 +44,7 @@ def rows_with_error(
         out: where the derivatives go, shape (2, 2·m + 1, n).
         coarse: where every second row goes, shape (m + 1, n).
         coarse_out: where its derivatives go, shape (2, m + 1, n).
-        rough: where the greatest distance of a coordinate at each row between goes, shape (m,).
+        error: where the greatest distance of a coordinate at each row between goes, shape (m,).
     """
     _differences(rows, inner, sided, out)
     for k in range(coarse.shape[0]):
@@ -52,13 +52,13 @@ def rows_with_error(
             coarse[k, j] = rows[2 * k, j]
     _differences(coarse, inner, sided, coarse_out)
     v, a = coarse_out[0], coarse_out[1]
-    for k in range(rough.shape[0]):
+    for k in range(error.shape[0]):
         most = 0.0
         for j in range(rows.shape[1]):
             mean, bend = 0.5 * (coarse[k, j] + coarse[k + 1, j]), a[k, j] + a[k + 1, j]
             q = mean + (0.15625 * (v[k, j] - v[k + 1, j]) + 0.015625 * bend)
             most = max(most, abs(q - rows[2 * k + 1, j]))
-        rough[k] = most
+        error[k] = most
 
 
 def _differences(rows: Array, inner: Array, sided: Array, out: Array) -> None:

@@ -39,6 +39,6 @@ def rows_of_path(path: JointPath, begin: float = 0.0) -> PathRows | None:
         path: of the joints.
         begin: the place, in its unit.
     """
-    told = getattr(path, "path_rows", None)
-    found = told(begin) if told else None
+    result = getattr(path, "path_rows", None)
+    found = result(begin) if result else None
     return found if isinstance(found, PathRows) else None

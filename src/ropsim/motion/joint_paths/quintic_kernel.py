@@ -9,7 +9,7 @@ COEFFICIENTS = 13
 
 @kernel
 def traced_points(
-    rows: Array2, d1: Array2, d2: Array2, per_unit: float, s: Array1, room: Array2, out: Array3
+    rows: Array2, d1: Array2, d2: Array2, per_unit: float, s: Array1, work: Array2, out: Array3
 ) -> None:
     """Write coordinates and derivatives by the place s between rows (quintic Hermite interpolation).
 
@@ -19,7 +19,7 @@ def traced_points(
         d2: second ones.
         per_unit: rows in one unit of s.
         s: places, best in order, shape (m,).
-        room: to work in, shape (COEFFICIENTS, n).
+        work: to work in, shape (COEFFICIENTS, n).
         out: where all goes, shape (3, m, n).
     """
     known, n = -1, rows.shape[1]
@@ -28,8 +28,8 @@ def traced_points(
         row = min(max(int(place), 0), rows.shape[0] - 2)
         if row != known:
             known = row
-            _between(rows, d1, d2, row, room)
-        _quintics(n, place - row, per_unit, 1.0, 0.0, room, out[0, k], out[1, k], out[2, k])
+            _between(rows, d1, d2, row, work)
+        _quintics(n, place - row, per_unit, 1.0, 0.0, work, out[0, k], out[1, k], out[2, k])
 
 
 @kernel
@@ -41,7 +41,7 @@ def traced_in_time(
     law: Array2,
     first: int,
     until: int,
-    room: Array2,
+    work: Array2,
     at: int,
     total: Array3,
 ) -> None:
@@ -57,7 +57,7 @@ def traced_in_time(
         law: places, best in order, speeds and accelerations in its rows 1 to 3, shape (4 or more, m).
         first: number of the first time.
         until: number behind that of the last one.
-        room: to work in, shape (COEFFICIENTS, n).
+        work: to work in, shape (COEFFICIENTS, n).
         at: row of the motion for the time 0 of the law.
         total: the motion, of which rows at + first to at + until are written, shape (3, m, n).
     """
@@ -67,20 +67,20 @@ def traced_in_time(
         row = min(max(int(place), 0), rows.shape[0] - 2)
         if row != known:
             known = row
-            _between(rows, d1, d2, row, room)
+            _between(rows, d1, d2, row, work)
         v, a = law[2, k], law[3, k]
-        _quintics(n, place - row, per_unit, v, a, room, total[0, at + k], total[1, at + k], total[2, at + k])
+        _quintics(n, place - row, per_unit, v, a, work, total[0, at + k], total[1, at + k], total[2, at + k])
 
 
-def _between(rows: Array, d1: Array, d2: Array, row: int, room: Array) -> None:
+def _between(rows: Array, d1: Array, d2: Array, row: int, work: Array) -> None:
     """Write the coefficients of the polynomials between a row and the next one."""
     after = row + 1
-    _coefficients(rows.shape[1], rows[row], rows[after], d1[row], d1[after], d2[row], d2[after], room)
+    _coefficients(rows.shape[1], rows[row], rows[after], d1[row], d1[after], d2[row], d2[after], work)
 
 
 @columns
 def _coefficients(
-    count: int, start: Array, end: Array, v0: Array, v1: Array, a0: Array, a1: Array, room: Array
+    count: int, start: Array, end: Array, v0: Array, v1: Array, a0: Array, a1: Array, work: Array
 ) -> None:
     """Write the coefficients of t⁰ to t⁵, then of the first and of the second derivative from t¹ on."""
     for j in range(count):
@@ -92,31 +92,31 @@ def _coefficients(
         c3 = 10.0 * gap - 6.0 * v - 4.0 * w - 3.0 * a + b
         c4 = -15.0 * gap + 8.0 * v + 7.0 * w + 3.0 * a - 2.0 * b
         c5 = 6.0 * gap - 3.0 * (v + w) - a + b
-        room[0, j] = start[j]
-        room[1, j] = v
-        room[2, j] = a
-        room[3, j] = c3
-        room[4, j] = c4
-        room[5, j] = c5
-        room[6, j] = 2.0 * a
-        room[7, j] = 3.0 * c3
-        room[8, j] = 4.0 * c4
-        room[9, j] = 5.0 * c5
-        room[10, j] = 6.0 * c3
-        room[11, j] = 12.0 * c4
-        room[12, j] = 20.0 * c5
+        work[0, j] = start[j]
+        work[1, j] = v
+        work[2, j] = a
+        work[3, j] = c3
+        work[4, j] = c4
+        work[5, j] = c5
+        work[6, j] = 2.0 * a
+        work[7, j] = 3.0 * c3
+        work[8, j] = 4.0 * c4
+        work[9, j] = 5.0 * c5
+        work[10, j] = 6.0 * c3
+        work[11, j] = 12.0 * c4
+        work[12, j] = 20.0 * c5
 
 
 @columns
 def _quintics(
-    count: int, t: float, per_unit: float, v: float, a: float, room: Array, q: Array, qd: Array, qdd: Array
+    count: int, t: float, per_unit: float, v: float, a: float, work: Array, q: Array, qd: Array, qdd: Array
 ) -> None:
     """Write the polynomials at t, traversed with the speed v and the acceleration a."""
     for j in range(count):
-        c1 = room[1, j]
-        b1 = room[6, j]
-        q[j] = room[0, j] + t * (c1 + t * (room[2, j] + t * (room[3, j] + t * (room[4, j] + t * room[5, j]))))
-        d1 = per_unit * (c1 + t * (b1 + t * (room[7, j] + t * (room[8, j] + t * room[9, j]))))
-        d2 = per_unit * per_unit * (b1 + t * (room[10, j] + t * (room[11, j] + t * room[12, j])))
+        c1 = work[1, j]
+        b1 = work[6, j]
+        q[j] = work[0, j] + t * (c1 + t * (work[2, j] + t * (work[3, j] + t * (work[4, j] + t * work[5, j]))))
+        d1 = per_unit * (c1 + t * (b1 + t * (work[7, j] + t * (work[8, j] + t * work[9, j]))))
+        d2 = per_unit * per_unit * (b1 + t * (work[10, j] + t * (work[11, j] + t * work[12, j])))
         qd[j] = d1 * v
         qdd[j] = d2 * (v * v) + d1 * a

@@ -111,17 +111,17 @@ def joins(whole: JointPath, begin: float, part: JointPath, step: float, within: 
     return float(np.abs(np.stack(off)).max()) <= within
 
 
-def rough_parts(rough: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
+def rough_parts(error: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
     """Return the rows between which a path through 2·k + 1 rows is to be known more exactly, first and last.
 
     Around each row that the path through every second one misses lie as many rows as differences reach.
 
     Args:
-        rough: whether it misses the rows 1, 3, 5 …, shape (k,).
+        error: whether it misses the rows 1, 3, 5 …, shape (k,).
     """
     parts: list[tuple[int, int]] = []
-    for row in (2 * np.flatnonzero(rough) + 1).tolist():
-        first, last = max(row - _REACH, 0), min(row + _REACH, 2 * len(rough))
+    for row in (2 * np.flatnonzero(error) + 1).tolist():
+        first, last = max(row - _REACH, 0), min(row + _REACH, 2 * len(error))
         if parts and first <= parts[-1][1]:
             first = parts.pop()[0]
         parts.append((first, last))

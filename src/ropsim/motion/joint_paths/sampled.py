@@ -71,5 +71,5 @@ def sampled_with_error(length: float, q: Array) -> tuple[SampledPath, Array | No
         None for it where rows are fewer than 17 or of even number.
     """
     rows = frozen(q)
-    derivatives, rough = derivatives_and_roughness(rows)
-    return SampledPath(length, rows, derivatives), rough
+    derivatives, error = derivatives_and_roughness(rows)
+    return SampledPath(length, rows, derivatives), error

@@ -28,10 +28,12 @@ class Attempts:
         period: of the control ticks [s].
     """
 
-    def __init__(self, asked: ConstraintRows, planned: ConstraintRows, places: Array, period: float) -> None:
-        self._asked, self._places, m = asked, places, len(places)
-        self._lasting, self._steps = window_times(asked, float(places[-1])), np.diff(places)
-        needed = rates_needed(asked, places, period)
+    def __init__(
+        self, requested: ConstraintRows, planned: ConstraintRows, places: Array, period: float
+    ) -> None:
+        self._asked, self._places, m = requested, places, len(places)
+        self._lasting, self._steps = window_times(requested, float(places[-1])), np.diff(places)
+        needed = rates_needed(requested, places, period)
         self._caps = np.where(needed < 1.0 - SLACK, needed * (1.0 - _BETWEEN), 1.0)
         self._shares, self._sigma, self._x = np.ones((4, m)), places, self._caps**2
         self._work, self._lacks, self._count = np.empty((2, m)), np.empty((4, m)), np.empty(1)
@@ -72,16 +74,16 @@ class Attempts:
         work, lacks, count = np.empty((WORK_ROWS, first.shape[1])), self._lacks, self._count
         for _ in range(_AT_PLACES):
             clock = self.clock
-            course = TimedPoints(self._places, clock.times, clock.rates, clock.changes)
-            lacks_at(path, course, limits, 1.0 + ROUNDING, beyond, work, lacks, count)
+            timing = TimedPoints(self._places, clock.times, clock.rates, clock.changes)
+            lacks_at(path, timing, limits, 1.0 + ROUNDING, beyond, work, lacks, count)
             if count[0] == 0.0:
                 return
             self.give_up(lacks)
 
     def _go(self) -> None:
         shares = self._shares
-        caps = (self._caps * shares[RATE]) ** 2
-        self._x = self._speeds.under(caps, self._x, shares[SWING], shares[LOAD])
+        imposed = (self._caps * shares[RATE]) ** 2
+        self._x = self._speeds.under(imposed, self._x, shares[SWING], shares[LOAD])
         self._sigma, self.clock = course_below(self._places, self._x, self._lasting, shares[WINDOW])
 
 
@@ -100,17 +102,22 @@ def course_below(places: Array, x: Array, lasting: Array, width: Array) -> tuple
     return sigma, NominalTime(times, places, smooth, changes)
 
 
-def window_times(asked: ConstraintRows, longest: float) -> Array:
+def window_times(requested: ConstraintRows, longest: float) -> Array:
     """Return how long windows last, so that jerk limits let accelerations swing in them [s], shape (m,).
 
     Args:
-        asked: constraint rows of the plan.
+        requested: constraint rows of the plan.
         longest: bound of the result [s].
     """
-    bounds, ways = asked.bounds, asked.ways
+    bounds, ways = requested.bounds, requested.ways
     fast = np.append(np.minimum(bounds.speed, _ENDLESS) / bounds.jerk, np.abs(ways.speeds) / ways.most_jerks)
-    lasting = np.empty(len(asked.points.q))
+    lasting = np.empty(len(requested.points.q))
     windows_last(
-        asked.along()[0], asked.most(), asked.most_jerk(), float(np.sqrt(fast.max())), longest, lasting
+        requested.along()[0],
+        requested.most(),
+        requested.most_jerk(),
+        float(np.sqrt(fast.max())),
+        longest,
+        lasting,
     )
     return lasting

@@ -51,14 +51,14 @@ def walked(motion: Motion, clock: NominalTime, bounds: JointBounds, ticks: Ticks
         bounds: capabilities of the joints.
         ticks: of control.
     """
-    course = clock.at(ticks.times(clock.duration))
-    points = motion.at(course[0])
+    timing = clock.at(ticks.times(clock.duration))
+    points = motion.at(timing[0])
     first, second = np.ascontiguousarray(points.d1), np.ascontiguousarray(points.d2)
     limits = np.array([bounds.speed, bounds.acceleration, ticks.period * bounds.jerk]) * _CLEARLY
     rates, beyond = np.empty((2, *points.q.shape)), np.empty(1)
     room = np.empty((ROWS_OF_WALK, AT_ONCE * limits.shape[1]))
-    walk_at(first, second, course, limits, room, rates.reshape(2, -1), beyond)
-    return Walked(course, points, JointPoints(points.q, rates[0], rates[1]), bool(beyond[0] < 0.0))
+    walk_at(first, second, timing, limits, room, rates.reshape(2, -1), beyond)
+    return Walked(timing, points, JointPoints(points.q, rates[0], rates[1]), bool(beyond[0] < 0.0))
 
 
 def keeps_torque(rows: JointPoints, bounds: JointBounds, effort: Effort | None) -> bool:

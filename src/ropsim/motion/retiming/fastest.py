@@ -26,44 +26,44 @@ class Speeds:
         steps: ways from place to place, shape (m - 1,).
     """
 
-    def __init__(self, asked: ConstraintRows, steps: Array) -> None:
-        self._asked, self._steps, m = asked, steps, len(asked.points.q)
-        A, B = asked.along()
-        self._along, self._most = A.shape[1], asked.most()
-        if asked.effort is not None:
-            inertia = asked.inertia()
+    def __init__(self, requested: ConstraintRows, steps: Array) -> None:
+        self._asked, self._steps, m = requested, steps, len(requested.points.q)
+        A, B = requested.along()
+        self._along, self._most = A.shape[1], requested.most()
+        if requested.effort is not None:
+            inertia = requested.inertia()
             A, B = np.hstack((A, inertia)), np.hstack((B, np.empty_like(inertia)))
         self._A, self._B = A, B
         self._lower, self._upper = np.empty((2, *A.shape))
         self._free, self._back, self._x = np.zeros((3, m))
         self._before, self._same = np.full((2, m), np.nan), np.empty(m)
 
-    def under(self, caps: Array, near: Array, share: Array, spared: Array) -> Array:
+    def under(self, imposed: Array, near: Array, share: Array, spared: Array) -> Array:
         """Return the greatest squared speeds x within acceleration, torque and caps, shape (m,).
 
         Where torque counts, they are found again with the torques at the speeds found, until these stay.
 
         Args:
-            caps: bounds of x, shape (m,).
+            imposed: bounds of x, shape (m,).
             near: x at which the torques are taken first, shape (m,).
             share: utilisation of the bounds of acceleration, in ]0, 1], shape (m,).
             spared: utilisation of the torque that `still` leaves, in ]0, 1], shape (m,).
         """
-        n, lower, upper, asked = self._along, self._lower, self._upper, self._asked
-        bound(self._most, share, caps, 1.0 + SLACK, self._before, lower, upper, self._same)
-        if asked.effort is None or asked.bounds.effort is None:
-            return self._fastest(caps)
-        used, still, B = spared[:, None] * (1.0 + SLACK), asked.still, self._B
-        lower[:, n:] = np.minimum(used * (-asked.bounds.effort - still), 0.0)
-        upper[:, n:] = np.maximum(used * (asked.bounds.effort - still), 0.0)
-        q, d1, d2 = asked.points.q, asked.points.d1, asked.points.d2
-        changed, result = np.zeros(len(caps)), near
+        n, lower, upper, requested = self._along, self._lower, self._upper, self._asked
+        bound(self._most, share, imposed, 1.0 + SLACK, self._before, lower, upper, self._same)
+        if requested.effort is None or requested.bounds.effort is None:
+            return self._fastest(imposed)
+        used, still, B = spared[:, None] * (1.0 + SLACK), requested.still, self._B
+        lower[:, n:] = np.minimum(used * (-requested.bounds.effort - still), 0.0)
+        upper[:, n:] = np.maximum(used * (requested.bounds.effort - still), 0.0)
+        q, d1, d2 = requested.points.q, requested.points.d1, requested.points.d2
+        changed, result = np.zeros(len(imposed)), near
         for _ in range(_PASSES):
             near = np.maximum(near, LEAST_RATE**2)
             x = near[:, None]
-            B[:, n:] = (torques(asked.effort, q, d1 * np.sqrt(x), d2 * x) - still) / x
+            B[:, n:] = (torques(requested.effort, q, d1 * np.sqrt(x), d2 * x) - still) / x
             self._same[:] = 0.0
-            result = self._fastest(caps)
+            result = self._fastest(imposed)
             if np.abs(result - near).max() <= _SAME * result.max():
                 break
             before, changed = changed, np.log(np.maximum(result, LEAST_RATE**2) / near)
@@ -71,9 +71,9 @@ class Speeds:
             near = result * np.exp(changed * share / (1.0 - share))
         return result
 
-    def _fastest(self, caps: Array) -> Array:
+    def _fastest(self, imposed: Array) -> Array:
         rows = LinearRows(self._A, self._B, self._lower, self._upper)
-        fastest(rows, caps, self._steps, self._same, self._free, self._back, self._x)
+        fastest(rows, imposed, self._steps, self._same, self._free, self._back, self._x)
         return self._x.copy()
 
 
@@ -104,12 +104,14 @@ def time_optimal(
         found = f"a path of {m} places with steps of {step:g}"
         message = f"{found}, allowed are finite numbers at 2 places or more"
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, message))
-    asked = demand(points, bounds, effort)
-    refusal = too_heavy(asked, np.asarray(np.arange(m) * step, dtype=np.float64))
+    requested = demand(points, bounds, effort)
+    refusal = too_heavy(requested, np.asarray(np.arange(m) * step, dtype=np.float64))
     if refusal is not None:
         return refusal
-    caps = 1.0 / np.maximum(np.max(np.abs(points.d1) / bounds.speed, axis=1), 1.0 / _FASTEST) ** 2
-    caps[0] = caps[-1] = 0.0
-    x = np.minimum(caps, 1.0 / np.maximum(np.max(np.abs(points.d2) / bounds.acceleration, axis=1), _TINY))
+    imposed = 1.0 / np.maximum(np.max(np.abs(points.d1) / bounds.speed, axis=1), 1.0 / _FASTEST) ** 2
+    imposed[0] = imposed[-1] = 0.0
+    x = np.minimum(imposed, 1.0 / np.maximum(np.max(np.abs(points.d2) / bounds.acceleration, axis=1), _TINY))
     everything = np.ones(m)
-    return np.asarray(np.sqrt(Speeds(asked, np.full(m - 1, step)).under(caps, x, everything, everything)))
+    return np.asarray(
+        np.sqrt(Speeds(requested, np.full(m - 1, step)).under(imposed, x, everything, everything))
+    )

@@ -26,7 +26,7 @@ class LinearRows(NamedTuple):
 def bound(
     most: Array2,
     share: Array1,
-    caps: Array1,
+    imposed: Array1,
     wider: float,
     before: Array2,
     lower: Array2,
@@ -38,7 +38,7 @@ def bound(
     Args:
         most: greatest sizes of rows, shape (m, n), or (1, n) for the same at all places.
         share: what is used of them, shape (m,).
-        caps: bounds of x, shape (m,).
+        imposed: bounds of x, shape (m,).
         wider: factor of the bounds.
         before: share and caps of the call before; become those of this one, shape (2, m).
         lower: its first n columns become minus the bounds, shape (m, r).
@@ -48,8 +48,8 @@ def bound(
     constant = most.shape[0] == 1
     for i in range(share.shape[0]):
         here, is_same = 0 if constant else i, share[i] == before[0, i]
-        same[i] = 1.0 if is_same and caps[i] == before[1, i] else 0.0
-        before[0, i], before[1, i] = share[i], caps[i]
+        same[i] = 1.0 if is_same and imposed[i] == before[1, i] else 0.0
+        before[0, i], before[1, i] = share[i], imposed[i]
         for r in range(0 if is_same else most.shape[1]):
             upper[i, r] = most[here, r] * share[i] * wider
             lower[i, r] = -upper[i, r]
@@ -70,7 +70,7 @@ MOST_STEPS = 60
 @kernel
 def fastest(
     rows: LinearRows,
-    caps: Array1,
+    imposed: Array1,
     steps: Array1,
     same: Array1,
     free: Array1,
@@ -91,7 +91,7 @@ def fastest(
 
     Args:
         rows: the limits.
-        caps: bounds of x, at least 0, shape (m,).
+        imposed: bounds of x, at least 0, shape (m,).
         steps: ways from place to place, above 0, shape (m - 1,).
         same: above 0 where rows and cap of a place are those of the call before, whose answers in `free`,
             `back` and `x` then hold where nothing beside it changed; becomes 0 where `back` changed, (m,).
@@ -104,22 +104,22 @@ def fastest(
         Pham and Pham 2018, A new approach to time-optimal path parameterization based on reachability
         analysis; rows at both ends of the way are its interpolation scheme.
     """
-    last = caps.shape[0] - 1
+    last = imposed.shape[0] - 1
     greatest = 0.0
     for i in range(last + 1):
-        greatest = max(greatest, caps[i])
+        greatest = max(greatest, imposed[i])
     if greatest != free[last]:
         same[:] = 0.0
     free[last] = greatest
     kept = same[last] > 0.0
     if not kept:
-        back[last] = caps[last]
+        back[last] = imposed[last]
     for i in range(last - 1, -1, -1):
         kept_there, kept = kept, same[i] > 0.0
         if kept_there and kept:
             continue
         before = back[i]
-        back[i] = _backwards(rows, i, steps[i], caps[i], back[i + 1], greatest, free)
+        back[i] = _backwards(rows, i, steps[i], imposed[i], back[i + 1], greatest, free)
         if back[i] != before:
             same[i] = 0.0
             kept = False

@@ -40,8 +40,8 @@ class NominalTime:
         Times before the start and after the end count as these. Where nothing is slowed, φ is t bit by bit.
         """
         out = np.empty((3, len(times)))
-        asked = np.ascontiguousarray(times, dtype=np.float64)
-        motion_time_at(self.times, self.places, self.rates, self.changes, asked, out)
+        requested = np.ascontiguousarray(times, dtype=np.float64)
+        motion_time_at(self.times, self.places, self.rates, self.changes, requested, out)
         return out
 
     def times_of(self, places: npt.ArrayLike) -> Array:

@@ -134,58 +134,58 @@ MOST, ROWS_OF_LOAD = 1, 2
 
 @kernel
 def walk_at(
-    first: Array2, second: Array2, course: Array2, limits: Array2, room: Array2, out: Array2, beyond: Array1
+    first: Array2, second: Array2, timing: Array2, limits: Array2, work: Array2, out: Array2, beyond: Array1
 ) -> None:
     """Write speeds and accelerations at k control ticks, as `by_real_time` does, and excesses over limits.
 
     Args:
         first: first derivatives by motion time, shape (k, n).
         second: second ones.
-        course: motion times [s], rates w = dφ/dt, and their changes c [1/s], shape (3, k).
+        timing: motion times [s], rates w = dφ/dt, and their changes c [1/s], shape (3, k).
         limits: of speed, acceleration and change of acceleration in one tick, shape (3, n).
-        room: to work in, shape (ROWS_OF_WALK, AT_ONCE·n).
+        work: to work in, shape (ROWS_OF_WALK, AT_ONCE·n).
         out: becomes q'·w and q''·w² + q'·c, shape (2, k·n).
         beyond: becomes the most by which one is beyond its limit, below 0 where all are kept, shape (1,).
     """
     n, ticks, speeds, swings = limits.shape[1], first.shape[0], out[0], out[1]
-    for j in range(room.shape[1]):
-        room[WORST, j], room[REST, j] = -_ENDLESS, 0.0
+    for j in range(work.shape[1]):
+        work[WORST, j], work[REST, j] = -_ENDLESS, 0.0
         for kind in range(limits.shape[0]):
-            room[FIRST_LIMIT + kind, j] = limits[kind, j % n]
+            work[FIRST_LIMIT + kind, j] = limits[kind, j % n]
     begin, most = 0, -_ENDLESS
     while begin < ticks:
         end, at = min(begin + AT_ONCE, ticks) if begin else 1, begin * n
         for k in range(begin, end):
-            w, c = course[1, k], course[2, k]
+            w, c = timing[1, k], timing[2, k]
             _by_real_time(n, w, w * w, c, first[k], second[k], speeds[k * n :], swings[k * n :])
-        before = swings[at - n :] if begin else room[REST]
-        _beyond((end - begin) * n, speeds[at:], swings[at:], before, room)
+        before = swings[at - n :] if begin else work[REST]
+        _beyond((end - begin) * n, speeds[at:], swings[at:], before, work)
         begin = end
-    for j in range(room.shape[1]):
-        most = max(most, room[WORST, j])
+    for j in range(work.shape[1]):
+        most = max(most, work[WORST, j])
     for j in range(n):  # joints rest before the first and after the last tick
         most = max(most, abs(swings[ticks * n - n + j]) - limits[2, j])
     beyond[0] = most
 
 
 @kernel
-def beyond_torque(torque: Array1, limit: Array1, room: Array2, beyond: Array1) -> None:
+def beyond_torque(torque: Array1, limit: Array1, work: Array2, beyond: Array1) -> None:
     """Write the most by which torques of n joints at k control ticks are beyond their limits.
 
     Args:
         torque: of the joints [N m | N], shape (k·n,).
         limit: of each [N m | N], shape (n,).
-        room: to work in, shape (ROWS_OF_LOAD, AT_ONCE·n).
+        work: to work in, shape (ROWS_OF_LOAD, AT_ONCE·n).
         beyond: becomes the most, below 0 where all are kept; no number counts as infinity, shape (1,).
     """
     n = limit.shape[0]
-    for j in range(room.shape[1]):
-        room[WORST, j], room[MOST, j] = -_ENDLESS, limit[j % n]
-    for begin in range(0, torque.shape[0], room.shape[1]):
-        _load(min(room.shape[1], torque.shape[0] - begin), torque[begin:], room)
+    for j in range(work.shape[1]):
+        work[WORST, j], work[MOST, j] = -_ENDLESS, limit[j % n]
+    for begin in range(0, torque.shape[0], work.shape[1]):
+        _load(min(work.shape[1], torque.shape[0] - begin), torque[begin:], work)
     most = -_ENDLESS
-    for j in range(room.shape[1]):
-        most = max(most, room[WORST, j])
+    for j in range(work.shape[1]):
+        most = max(most, work[WORST, j])
     beyond[0] = most
 
 
@@ -200,19 +200,19 @@ def _by_real_time(
 
 
 @columns
-def _beyond(count: int, speed: Array, swing: Array, before: Array, room: Array) -> None:
+def _beyond(count: int, speed: Array, swing: Array, before: Array, work: Array) -> None:
     """Keep the most by which speeds, accelerations and their changes are beyond limits."""
     for j in range(count):
-        fast = min(_ENDLESS, abs(speed[j]) - room[FIRST_LIMIT, j])
-        wild = min(_ENDLESS, abs(swing[j]) - room[FIRST_LIMIT + 1, j])
-        jump = min(_ENDLESS, abs(swing[j] - before[j]) - room[FIRST_LIMIT + 2, j])
-        steady = max(room[WORST, j], fast)
+        fast = min(_ENDLESS, abs(speed[j]) - work[FIRST_LIMIT, j])
+        wild = min(_ENDLESS, abs(swing[j]) - work[FIRST_LIMIT + 1, j])
+        jump = min(_ENDLESS, abs(swing[j] - before[j]) - work[FIRST_LIMIT + 2, j])
+        steady = max(work[WORST, j], fast)
         changing = max(wild, jump)
-        room[WORST, j] = max(steady, changing)
+        work[WORST, j] = max(steady, changing)
 
 
 @columns
-def _load(count: int, torque: Array, room: Array) -> None:
+def _load(count: int, torque: Array, work: Array) -> None:
     """Keep the most by which torques are beyond their limits."""
     for j in range(count):
-        room[WORST, j] = max(room[WORST, j], min(_ENDLESS, abs(torque[j]) - room[MOST, j]))
+        work[WORST, j] = max(work[WORST, j], min(_ENDLESS, abs(torque[j]) - work[MOST, j]))

@@ -64,7 +64,7 @@ class PointLimits(NamedTuple):
 @kernel
 def lacks_at(
     path: Derivatives,
-    course: TimedPoints,
+    timing: TimedPoints,
     limits: PointLimits,
     allowed: float,
     more: float,
@@ -81,7 +81,7 @@ def lacks_at(
 
     Args:
         path: first and second derivatives by nominal time, shapes (m, n + r).
-        course: of the motion.
+        timing: of the motion.
         limits: of joints and paths.
         allowed: what may be used of a limit, 1 and rounding.
         more: added to the logarithm of each excess.
@@ -91,7 +91,7 @@ def lacks_at(
         count: becomes the number of excesses, shape (1,).
     """
     count[0] = 0.0
-    first, second, rates, changes = path.first, path.second, course.rates, course.changes
+    first, second, rates, changes = path.first, path.second, timing.rates, timing.changes
     n, last, constant = first.shape[1], first.shape[0] - 1, limits.acceleration.shape[0] == 1
     lacks[:] = 0.0
     work[:] = 0.0
@@ -102,10 +102,10 @@ def lacks_at(
         _next_point(work, n)
         _swing(n, square, c, first[i], second[i], work[HERE])
         if i < last:
-            per = 1.0 / (course.places[i + 1] - course.places[i])
+            per = 1.0 / (timing.places[i + 1] - timing.places[i])
             _jerk(n, per, second[i + 1], second[i], work[JERK_NEXT])
         if i > 0:
-            per = 1.0 / (course.times[i] - course.times[i - 1])
+            per = 1.0 / (timing.times[i] - timing.times[i - 1])
             mean, slope = (c - b) * per, 6.0 * (w - v) * per * per
             begin = slope - (4.0 * b + 2.0 * c) * per - mean
             end = (2.0 * b + 4.0 * c) * per - slope - mean
@@ -192,7 +192,7 @@ def _exceed(
         work[EXCESS, j] = max(excess, far - allowed * work[MOST_JERK, j])
 
 
-def _raise(lacks: Array, row: int, place: int, lack: float, told: Array) -> None:
+def _raise(lacks: Array, row: int, place: int, lack: float, result: Array) -> None:
     """Keep the greatest lack, and count it."""
     lacks[row, place] = max(lacks[row, place], lack)
-    told[0] += 1.0
+    result[0] += 1.0

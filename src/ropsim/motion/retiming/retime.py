@@ -85,69 +85,73 @@ def kept_from(
     if plain.is_kept:
         return RetimedTrajectory(unslowed(motion.duration), (), planned.phi, planned.rows)
     places, points = places_of(motion, bounds, grid, planned.phi, plain.rates)
-    asked = demand(points, bounds, effort, motion.ways(places))
-    first = asked if plain.peaks[3] > 1.0 else asked.without_torque()
-    return too_heavy(asked, places) or _slowed(motion, asked, first, places, ticks)
+    requested = demand(points, bounds, effort, motion.ways(places))
+    first = requested if plain.peaks[3] > 1.0 else requested.without_torque()
+    return too_heavy(requested, places) or _slowed(motion, requested, first, places, ticks)
 
 
 def _slowed(
-    motion: Motion, asked: ConstraintRows, planned: ConstraintRows, places: Array, ticks: Ticks
+    motion: Motion, requested: ConstraintRows, planned: ConstraintRows, places: Array, ticks: Ticks
 ) -> RetimedTrajectory | Infeasible:
     """Return the motion slowed.
 
     Args:
         motion: the plan.
-        asked: its constraint rows at grid points.
+        requested: its constraint rows at grid points.
         planned: the same, or without torque: that is then planned with only if it is found to be too much.
         places: motion times [s], shape (m,).
         ticks: of control.
     """
     period = ticks.period
-    courses = Attempts(asked, planned, places, period)
-    if asked.ways.speeds.shape[1] == 0:  # sudden changes on tool paths are seen only at ticks
+    courses = Attempts(requested, planned, places, period)
+    if requested.ways.speeds.shape[1] == 0:  # sudden changes on tool paths are seen only at ticks
         courses.keep_at_places(2.0 * _MORE)
     best, attempt = (math.inf, unslowed(motion.duration)), 0
     while True:
         clock, (slowest, x) = courses.clock, courses.slowest
         if x < LEAST_RATE**2 or clock.duration - motion.duration > LONGEST_DELAY:
-            return too_slow(asked, places, binding_constraint(asked, places, period, slowest, slowest + 1))
-        walk, more = walked(motion, clock, asked.bounds, ticks), math.log1p(_MORE * (attempt + 1))
+            return too_slow(
+                requested, places, binding_constraint(requested, places, period, slowest, slowest + 1)
+            )
+        walk, more = walked(motion, clock, requested.bounds, ticks), math.log1p(_MORE * (attempt + 1))
         found = strain_of_walk(walk, motion, planned, places, period, more)
         if found is None or found.is_kept:
-            if planned is asked or keeps_torque(walk.rows, asked.bounds, asked.effort):
+            if planned is requested or keeps_torque(walk.rows, requested.bounds, requested.effort):
                 return RetimedTrajectory(clock, _parts(clock, planned, period), walk.course[0], walk.rows)
-            planned = asked
+            planned = requested
             courses.plan_with(planned)
             continue
         best = min(best, (clock.duration * found.factor, clock), key=lambda pair: pair[0])
         if attempt == _ATTEMPTS:
-            return _slower(motion, best[1], asked, places, ticks)
+            return _slower(motion, best[1], requested, places, ticks)
         courses.give_up(found.lacks)
         attempt += 1
 
 
 def _slower(
-    motion: Motion, clock: NominalTime, asked: ConstraintRows, places: Array, ticks: Ticks
+    motion: Motion, clock: NominalTime, requested: ConstraintRows, places: Array, ticks: Ticks
 ) -> RetimedTrajectory | Infeasible:
     """Return the motion with all rates reduced to the need of its worst control tick."""
     extra = ROUNDING
     while True:
-        walk = walked(motion, clock, asked.bounds, ticks)
-        found = strain_of_walk(walk, motion, asked, places, ticks.period, 0.0)
+        walk = walked(motion, clock, requested.bounds, ticks)
+        found = strain_of_walk(walk, motion, requested, places, ticks.period, 0.0)
         if found is None or found.is_kept:
-            return RetimedTrajectory(clock, _parts(clock, asked, ticks.period), walk.course[0], walk.rows)
+            return RetimedTrajectory(clock, _parts(clock, requested, ticks.period), walk.course[0], walk.rows)
         clock, extra = clock.slower(1.0 / (min(found.factor, 2.0) * (1.0 + extra))), 2.0 * extra
         if clock.duration - motion.duration > LONGEST_DELAY:
-            return too_slow(asked, places, binding_constraint(asked, places, ticks.period, 0, len(places)))
+            return too_slow(
+                requested, places, binding_constraint(requested, places, ticks.period, 0, len(places))
+            )
 
 
-def _parts(clock: NominalTime, asked: ConstraintRows, period: float) -> tuple[Slowed, ...]:
+def _parts(clock: NominalTime, requested: ConstraintRows, period: float) -> tuple[Slowed, ...]:
     """Return the parts of a motion that are slowed, with the binding constraint there."""
     slow = np.concatenate(([False], clock.rates < 1.0, [False]))
     starts, ends = np.flatnonzero(slow[1:] & ~slow[:-1]), np.flatnonzero(slow[:-1] & ~slow[1:])
     parts = []
     for first, end in zip(starts.tolist(), ends.tolist(), strict=True):
-        need = binding_constraint(asked, clock.places, period, first, end)
+        need = binding_constraint(requested, clock.places, period, first, end)
         begins, stops = clock.places[max(first - 1, 0)], clock.places[min(end, len(clock.places) - 1)]
         share = float(clock.rates[first:end].min())
         parts.append(Slowed(float(begins), float(stops), share, need.joint, need.quantity))

@@ -93,33 +93,33 @@ _POWERS = (1, 2, 3, 2)
 _TINY = 1e-300
 
 
-def too_heavy(asked: ConstraintRows, places: Array) -> Infeasible | None:
+def too_heavy(requested: ConstraintRows, places: Array) -> Infeasible | None:
     """Return the first place at which dry friction and gravity take more torque than there is.
 
     Args:
-        asked: constraint rows of the plan.
+        requested: constraint rows of the plan.
         places: parameter of the path, shape (m,).
     """
-    most = asked.bounds.effort
-    if most is None or asked.effort is None:
+    most = requested.bounds.effort
+    if most is None or requested.effort is None:
         return None
-    beyond = np.abs(asked.still) > most * (1.0 + ROUNDING)
+    beyond = np.abs(requested.still) > most * (1.0 + ROUNDING)
     if not beyond.any():
         return None
     where, joints = np.nonzero(beyond)
     i, j = int(where[0]), int(joints[0])
-    return Infeasible(float(places[i]), j, Quantity.TORQUE, float(abs(asked.still[i, j])), float(most[j]))
+    return Infeasible(float(places[i]), j, Quantity.TORQUE, float(abs(requested.still[i, j])), float(most[j]))
 
 
-def too_slow(asked: ConstraintRows, places: Array, need: Need) -> Infeasible:
+def too_slow(requested: ConstraintRows, places: Array, need: Need) -> Infeasible:
     """Return the refusal for a place that would require almost no speed.
 
     Args:
-        asked: constraint rows of the plan.
+        requested: constraint rows of the plan.
         places: motion times [s], shape (m,).
         need: binding constraint there.
     """
-    bounds, kind = asked.bounds, tuple(Quantity).index(need.quantity)
+    bounds, kind = requested.bounds, tuple(Quantity).index(need.quantity)
     limits = (bounds.speed, bounds.acceleration, bounds.jerk, cast("Array", bounds.effort))
     limit = float(limits[kind][need.joint])
     over = (LEAST_RATE / max(need.rate, _TINY)) ** _POWERS[kind]

@@ -18,7 +18,7 @@ REST = 6
 
 @kernel
 def used_by_motion(
-    qd: Array1, qdd: Array1, limits: Array2, room: Array2, used: Array2, peaks: Array1
+    qd: Array1, qdd: Array1, limits: Array2, work: Array2, used: Array2, peaks: Array1
 ) -> None:
     """Compute what n joints use of speed, acceleration and jerk at k control ticks, as `strain_of` does.
 
@@ -26,31 +26,31 @@ def used_by_motion(
         qd: speeds [rad/s | m/s], shape (k·n,).
         qdd: accelerations [rad/s² | m/s²], shape (k·n,).
         limits: of speed, acceleration and change of acceleration in one tick, shape (3, n).
-        room: to work in, shape (ROWS_OF_MOTION, AT_ONCE·n).
+        work: to work in, shape (ROWS_OF_MOTION, AT_ONCE·n).
         used: becomes what is used by the joint that uses most, in its first three rows, shape (4, k).
         peaks: becomes the most of each, in its first three numbers, shape (4,).
     """
     n, ticks = limits.shape[1], used.shape[1]
     for k in range(AT_ONCE):
         for j in range(n):
-            room[0, k * n + j], room[1, k * n + j] = 1.0 / limits[0, j], 1.0 / limits[1, j]
-            room[2, k * n + j], room[REST, k * n + j] = 1.0 / limits[2, j], 0.0
+            work[0, k * n + j], work[1, k * n + j] = 1.0 / limits[0, j], 1.0 / limits[1, j]
+            work[2, k * n + j], work[REST, k * n + j] = 1.0 / limits[2, j], 0.0
     begin, most_speed, most_acceleration, most_jerk = 0, 0.0, 0.0, 0.0
     while begin < ticks:
         end = min(begin + AT_ONCE, ticks) if begin else 1
         first, count = begin * n, (end - begin) * n
-        before = qdd[first - n :] if begin else room[REST]
-        _motion_shares(count, qd[first:], qdd[first:], before, room)
+        before = qdd[first - n :] if begin else work[REST]
+        _motion_shares(count, qd[first:], qdd[first:], before, work)
         for k in range(begin, end):
             speed, acceleration, jerk = 0.0, 0.0, 0.0
             for j in range((k - begin) * n, (k - begin + 1) * n):
-                speed = max(speed, room[3, j])
-                acceleration = max(acceleration, room[4, j])
-                jerk = max(jerk, room[5, j])
+                speed = max(speed, work[3, j])
+                acceleration = max(acceleration, work[4, j])
+                jerk = max(jerk, work[5, j])
             if k == ticks - 1:
-                _motion_shares(n, qd[k * n :], qdd[k * n :], room[REST], room)
+                _motion_shares(n, qd[k * n :], qdd[k * n :], work[REST], work)
                 for j in range(n):
-                    jerk = max(jerk, room[5, j])
+                    jerk = max(jerk, work[5, j])
             used[SPEED, k], used[ACCELERATION, k], used[JERK, k] = speed, acceleration, jerk
             most_speed = max(most_speed, speed)
             most_acceleration = max(most_acceleration, acceleration)
@@ -60,46 +60,46 @@ def used_by_motion(
 
 
 @kernel
-def used_by_torque(torque: Array1, limit: Array1, room: Array2, used: Array2, peaks: Array1) -> None:
+def used_by_torque(torque: Array1, limit: Array1, work: Array2, used: Array2, peaks: Array1) -> None:
     """Compute what n joints use of their torque at k control ticks, as `strain_of` does.
 
     Args:
         torque: of the joints [N m | N], shape (k·n,).
         limit: of each [N m | N], shape (n,).
-        room: to work in, shape (ROWS_OF_TORQUE, AT_ONCE·n).
+        work: to work in, shape (ROWS_OF_TORQUE, AT_ONCE·n).
         used: its last row becomes what is used by the joint that uses most, shape (4, k).
         peaks: its last number becomes the most of that, shape (4,).
     """
     n, ticks, peak = limit.shape[0], used.shape[1], 0.0
     for k in range(AT_ONCE):
         for j in range(n):
-            room[0, k * n + j] = 1.0 / limit[j]
+            work[0, k * n + j] = 1.0 / limit[j]
     for begin in range(0, ticks, AT_ONCE):
         end = min(begin + AT_ONCE, ticks)
-        _torque_shares((end - begin) * n, torque[begin * n :], room)
+        _torque_shares((end - begin) * n, torque[begin * n :], work)
         for k in range(begin, end):
             most = 0.0
             for j in range((k - begin) * n, (k - begin + 1) * n):
-                most = max(most, room[1, j])
+                most = max(most, work[1, j])
             used[TORQUE, k] = most
             peak = max(peak, most)
     peaks[TORQUE] = peak
 
 
 @columns
-def _motion_shares(count: int, qd: Array, qdd: Array, before: Array, room: Array) -> None:
+def _motion_shares(count: int, qd: Array, qdd: Array, before: Array, work: Array) -> None:
     """Write what is used of limits of speed, acceleration and jerk; no number counts as infinity."""
     for j in range(count):
-        room[3, j] = min(ENDLESS, abs(qd[j]) * room[0, j])
-        room[4, j] = min(ENDLESS, abs(qdd[j]) * room[1, j])
-        room[5, j] = min(ENDLESS, abs(qdd[j] - before[j]) * room[2, j])
+        work[3, j] = min(ENDLESS, abs(qd[j]) * work[0, j])
+        work[4, j] = min(ENDLESS, abs(qdd[j]) * work[1, j])
+        work[5, j] = min(ENDLESS, abs(qdd[j] - before[j]) * work[2, j])
 
 
 @columns
-def _torque_shares(count: int, torque: Array, room: Array) -> None:
+def _torque_shares(count: int, torque: Array, work: Array) -> None:
     """Write what is used of limits of torque."""
     for j in range(count):
-        room[1, j] = min(ENDLESS, abs(torque[j]) * room[0, j])
+        work[1, j] = min(ENDLESS, abs(torque[j]) * work[0, j])
 
 
 _TINY = 1e-300
@@ -174,7 +174,7 @@ class Used(NamedTuple):
 def strain_of(
     load: JointLoad,
     path: Derivatives,
-    course: Array2,
+    timing: Array2,
     grid: Grid,
     limits: Array3,
     allowed: float,
@@ -193,7 +193,7 @@ def strain_of(
     Args:
         load: of the joints at the ticks.
         path: derivatives at the ticks.
-        course: nominal times φ [s], rising, rates dφ/dt, and their changes [1/s], shape (3, k).
+        timing: nominal times φ [s], rising, rates dφ/dt, and their changes [1/s], shape (3, k).
         grid: points of the plan.
         limits: of speed, acceleration, change of acceleration in one tick, and torque, shape (4, k, n + r),
             or (4, 1, n + r) where they are the same at all ticks.
@@ -208,7 +208,7 @@ def strain_of(
     kinds = 4 if torque.shape[1] else 3
     for k in range(qd.shape[0]):
         before = max(k - 1, 0)
-        while way < last and places[way + 1] <= course[0, k]:
+        while way < last and places[way + 1] <= timing[0, k]:
             way += 1
         here = 0 if constant else k
         if k == 0 or not constant:
@@ -228,41 +228,41 @@ def strain_of(
                     peaks[kind] = max(peaks[kind], share)
                     continue
                 if kind == TORQUE:
-                    past = (course[0, k] - places[way]) / (places[way + 1] - places[way])
+                    past = (timing[0, k] - places[way]) / (places[way + 1] - places[way])
                     held = still[way, j] + past * (still[way + 1, j] - still[way, j])
                     held = math.copysign(held, held * torque[k, j])
                     share = (value - held) / max(limits[TORQUE, here, j] - held, _TINY)
                 peaks[kind] = max(peaks[kind], share)
                 lack = math.log(min(max(share, 1.0), MOST_AT_ONCE)) + more
-                given = _given_up(kind, lack, path, course, j, before, k)
+                given = _given_up(kind, lack, path, timing, j, before, k)
                 for row in range(len(given)):
                     for i in range(way, way + 2):
                         out.lacks[row, i] = max(out.lacks[row, i], given[row])
 
 
-def _causes(path: Derivatives, course: Array, j: int, before: int, now: int) -> tuple[float, float, float]:
+def _causes(path: Derivatives, timing: Array, j: int, before: int, now: int) -> tuple[float, float, float]:
     """Return the shares that the path, changes of rate on it and changes of acceleration have in a jerk."""
-    w, c, first, second = course[1, now], course[2, now], path.first, path.second
-    faster = w * w - course[1, before] * course[1, before]
+    w, c, first, second = timing[1, now], timing[2, now], path.first, path.second
+    faster = w * w - timing[1, before] * timing[1, before]
     by_path = abs(second[now, j] - second[before, j]) * w * w
     bend = abs(second[now, j] * faster) + abs((first[now, j] - first[before, j]) * c)
-    change = abs(first[now, j] * (c - course[2, before]))
+    change = abs(first[now, j] * (c - timing[2, before]))
     whole = max(by_path + bend + change, _TINY)
     return by_path / whole, bend / whole, change / whole
 
 
 @kernel
-def by_real_time(first: Array2, second: Array2, course: Array2, out: Array3) -> None:
+def by_real_time(first: Array2, second: Array2, timing: Array2, out: Array3) -> None:
     """Write speeds q'·w and accelerations q''·w² + q'·c of a motion at the rate w, which changes by c.
 
     Args:
         first: first derivatives by motion time, shape (k, n).
         second: second ones.
-        course: motion times [s], rates w = dφ/dt, and their changes c [1/s], shape (3, k).
+        timing: motion times [s], rates w = dφ/dt, and their changes c [1/s], shape (3, k).
         out: where they go, shape (2, k, n).
     """
     for k in range(first.shape[0]):
-        w, c = course[1, k], course[2, k]
+        w, c = timing[1, k], timing[2, k]
         for j in range(first.shape[1]):
             out[0, k, j] = first[k, j] * w
             out[1, k, j] = second[k, j] * (w * w) + first[k, j] * c
@@ -305,11 +305,11 @@ def _keeps(state: JointLoad, inverse: Array, k: int, allowed: float, used: Array
 
 
 def _given_up(
-    kind: int, lack: float, path: Derivatives, course: Array, j: int, before: int, now: int
+    kind: int, lack: float, path: Derivatives, timing: Array, j: int, before: int, now: int
 ) -> tuple[float, float, float, float]:
     """Return what is to be given up for a lack, in the order of the rows of lacks."""
     if kind == JERK:
-        by_path, bend, change = _causes(path, course, j, before, now)
+        by_path, bend, change = _causes(path, timing, j, before, now)
         return by_path * STEADY * lack, (bend + BESIDE * change) * lack, lack * change, 0.0
     if kind == ACCELERATION:
         return 0.0, lack, 0.0, 0.0
@@ -329,13 +329,13 @@ _WIDEST = 8.0
 
 
 @kernel
-def give_up(sigma: Array1, lacks: Array2, room: Array2, shares: Array2) -> None:
+def give_up(sigma: Array1, lacks: Array2, work: Array2, shares: Array2) -> None:
     """Make shares smaller, and windows wider, by the greatest lacks in the windows around places.
 
     Args:
         sigma: places in windows, see `smooth_course`, shape (m,).
         lacks: logarithms, as from `lacks_at`, shape (4, m).
-        room: to work in, shape (2, m).
+        work: to work in, shape (2, m).
         shares: of rate and acceleration, width of windows, and share of torque, shape (4, m).
     """
     for row in range(lacks.shape[0]):
@@ -344,10 +344,10 @@ def give_up(sigma: Array1, lacks: Array2, room: Array2, shares: Array2) -> None:
             greatest = max(greatest, lacks[row, i])
         if greatest == 0.0:
             continue
-        greatest_nearby(sigma, lacks[row], room[0], room[1])
+        greatest_nearby(sigma, lacks[row], work[0], work[1])
         for i in range(sigma.shape[0]):
-            if room[1, i] > 0.0:
-                factor = math.exp(room[1, i])
+            if work[1, i] > 0.0:
+                factor = math.exp(work[1, i])
                 if row == WINDOW:
                     shares[row, i] = min(shares[row, i] * factor, _WIDEST)
                 else:

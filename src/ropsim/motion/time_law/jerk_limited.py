@@ -16,7 +16,7 @@ from ropsim.spatial import Array
 _SEGMENTS = 8  # of a path segment, at most, up and the same number down
 
 
-def plan_time_law(stages: Iterable[Interval]) -> PiecewiseLaw:
+def plan_time_law(path_limits: Iterable[Interval]) -> PiecewiseLaw:
     """Return the time law of a way of p pieces, in time proportional to p and the look-ahead.
 
     The motion starts and ends at rest and keeps the bounds of each piece; its acceleration goes on where a
@@ -27,7 +27,7 @@ def plan_time_law(stages: Iterable[Interval]) -> PiecewiseLaw:
     S-curve of `plan_profile`, and so has a line that is cut into pieces.
 
     Args:
-        stages: bounds of the pieces, in their order.
+        path_limits: bounds of the pieces, in their order.
 
     Raises:
         ProfileError: M540, where there are no pieces, a length, bound or ratio is not from 1e-50 to 1e50, in
@@ -37,7 +37,9 @@ def plan_time_law(stages: Iterable[Interval]) -> PiecewiseLaw:
         Biagiotti and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4.
         Bobrow, Dubowsky and Gibson 1985, Int. J. Robotics Research 4(3), for the passes.
     """
-    rows = [(one.length, one.speed, one.acceleration, one.jerk, one.ratio, one.horizon) for one in stages]
+    rows = [
+        (one.length, one.speed, one.acceleration, one.jerk, one.ratio, one.horizon) for one in path_limits
+    ]
     return _planned(np.array(rows, dtype=np.float64))
 
 
@@ -54,16 +56,16 @@ def jerk_limited(bounds: Array, counts: Array) -> PiecewiseLaw:
         ProfileError: M540, as there.
     """
     ends = np.empty(len(counts))
-    ways, courses, rows, stage_ends, told = _rooms(len(bounds))
-    plan_longer(bounds, counts, ways, courses, rows, stage_ends, ends, told)
-    return PiecewiseLaw(rows[:, : _count(told, bounds)].copy(), ends)
+    ways, courses, rows, stage_ends, result = _rooms(len(bounds))
+    plan_longer(bounds, counts, ways, courses, rows, stage_ends, ends, result)
+    return PiecewiseLaw(rows[:, : _count(result, bounds)].copy(), ends)
 
 
 def _planned(bounds: Array) -> PiecewiseLaw:
     """Return the time law of pieces, rows as for `plan_segments`, shape (p, 6)."""
-    ways, courses, rows, ends, told = _rooms(len(bounds))
-    time_law_kernel.plan_segments(bounds, ways, courses, rows, ends, told)
-    return PiecewiseLaw(rows[:, : _count(told, bounds)].copy(), ends)
+    ways, courses, rows, ends, result = _rooms(len(bounds))
+    time_law_kernel.plan_segments(bounds, ways, courses, rows, ends, result)
+    return PiecewiseLaw(rows[:, : _count(result, bounds)].copy(), ends)
 
 
 def _rooms(p: int) -> tuple[Array, Array, Array, Array, Array]:
@@ -74,9 +76,9 @@ def _rooms(p: int) -> tuple[Array, Array, Array, Array, Array]:
     return ways, courses, np.empty((8, 2 * _SEGMENTS * p)), np.empty(p), np.empty(2)
 
 
-def _count(told: Array, bounds: Array) -> int:
+def _count(result: Array, bounds: Array) -> int:
     """Return the number of segments that have been planned."""
-    count, wrong = told.tolist()
+    count, wrong = result.tolist()
     if count < 0.0:
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, _wrong_words(int(wrong), bounds[int(wrong)])))
     return int(count)

@@ -53,7 +53,7 @@ class TimeLaw(Protocol):
     def at(self, times: npt.ArrayLike) -> LawRows:
         """Return where the motion is at times [s], shape (k,)."""
 
-    def times_of(self, pieces: npt.ArrayLike, places: npt.ArrayLike) -> Array:
+    def times_of(self, path_segments: npt.ArrayLike, places: npt.ArrayLike) -> Array:
         """Return when the motion is at path parameters of segments [s], shape (k,)."""
 
 

@@ -22,54 +22,55 @@ NEARLY_EVEN = 0.2
 
 @kernel
 def times_at(
-    segments: Array2, ends: Array1, pieces: Array1, places: Array1, out: Array1, told: Array1
+    segments: Array2, ends: Array1, path_segments: Array1, places: Array1, out: Array1, result: Array1
 ) -> None:
     """Write the time [s] at which the motion is at each of some places of pieces.
 
     Args:
         segments: shape (8, m).
         ends: times [s] at which the pieces end, shape (p,).
-        pieces: index of the piece of each place, best in order, shape (k,).
+        path_segments: index of the piece of each place, best in order, shape (k,).
         places: on it; those outside of it count as its start or end; shape (k,).
         out: where the times go, shape (k,).
-        told: output for the number of times; fewer than k if a path segment does not exist.
+        result: output for the number of times; fewer than k if a path segment does not exist.
     """
-    piece, first, beyond, low = -1, 0, 0, 0
-    told[0] = places.shape[0]
+    path_segment, first, beyond, low = -1, 0, 0, 0
+    result[0] = places.shape[0]
     for k in range(places.shape[0]):
-        if not 0.0 <= pieces[k] < ends.shape[0]:
-            told[0] = k
+        if not 0.0 <= path_segments[k] < ends.shape[0]:
+            result[0] = k
             break
-        if piece != int(pieces[k]):
-            piece = int(pieces[k])
-            first, beyond = _lower(segments, 0, float(piece)), _lower(segments, 0, piece + 1.0)
+        if path_segment != int(path_segments[k]):
+            path_segment = int(path_segments[k])
+            first, beyond = _lower(segments, 0, float(path_segment)), _lower(segments, 0, path_segment + 1.0)
             low = first
         low = _row_of(segments, places[k], first, beyond, low)
-        out[k] = _time_of(segments, ends, piece, beyond, low, places[k])
+        out[k] = _time_of(segments, ends, path_segment, beyond, low, places[k])
 
 
 @kernel
-def times_along(segments: Array2, ends: Array1, pieces: Array1, places: Array1, out: Array1) -> None:
+def times_along(segments: Array2, ends: Array1, path_segments: Array1, places: Array1, out: Array1) -> None:
     """Write the result of `times_at` within rounding, for rising path parameters, searched in order.
 
     Args:
         segments: shape (8, m).
         ends: times [s] at which the pieces end, shape (p,).
-        pieces: index of the piece of each place, rising, shape (k,).
+        path_segments: index of the piece of each place, rising, shape (k,).
         places: on it, in order; those outside of it count as its start or end; shape (k,).
         out: where the times go, shape (k,).
     """
     last, row, near = segments.shape[1] - 1, 0, 0.0
     for k in range(places.shape[0]):
-        piece, place = pieces[k], places[k]
+        path_segment, place = path_segments[k], places[k]
         while row < last and (
-            segments[0, row] < piece or (segments[0, row + 1] == piece and segments[2, row + 1] <= place)
+            segments[0, row] < path_segment
+            or (segments[0, row + 1] == path_segment and segments[2, row + 1] <= place)
         ):
             row += 1
             near = 0.0
-        end = segments[7, row] if row == last or segments[0, row + 1] > piece else inf
+        end = segments[7, row] if row == last or segments[0, row + 1] > path_segment else inf
         if place >= end:
-            out[k] = ends[int(piece)]
+            out[k] = ends[int(path_segment)]
             continue
         near = _near(segments, row, max(place - segments[2, row], 0.0), near)
         out[k] = segments[1, row] + near
@@ -111,30 +112,30 @@ def _near(segments: Array, row: int, way: float, u: float) -> float:
 
 
 @kernel
-def time_at(segments: Array2, ends: Array1, piece: int, place: float, out: Array1) -> None:
+def time_at(segments: Array2, ends: Array1, path_segment: int, place: float, out: Array1) -> None:
     """Write the time [s] at which the motion is at a place of a piece that there is; see `times_at`.
 
     Args:
         segments: shape (8, m).
         ends: times [s] at which the pieces end, shape (p,).
-        piece: index of the piece.
+        path_segment: index of the piece.
         place: on it; one outside of it counts as its start or end.
         out: where the time goes, shape (1,).
     """
-    first, beyond = _lower(segments, 0, float(piece)), _lower(segments, 0, piece + 1.0)
+    first, beyond = _lower(segments, 0, float(path_segment)), _lower(segments, 0, path_segment + 1.0)
     row = _row_of(segments, place, first, beyond, first)
-    out[0] = _time_of(segments, ends, piece, beyond, row, place)
+    out[0] = _time_of(segments, ends, path_segment, beyond, row, place)
 
 
-def _time_of(segments: Array, ends: Array, piece: int, beyond: int, row: int, place: float) -> float:
+def _time_of(segments: Array, ends: Array, path_segment: int, beyond: int, row: int, place: float) -> float:
     """Return the time [s] of a place of a piece, which is in a segment if it is on the piece."""
     if place >= segments[7, beyond - 1]:
-        return float(ends[piece])
+        return float(ends[path_segment])
     if isnan(place):
         return place
     if place <= 0.0:
-        return 0.0 if piece == 0 else float(ends[piece - 1])
-    return _time_at(segments, row, place, min(_start_of(segments, row + 1), ends[piece]))
+        return 0.0 if path_segment == 0 else float(ends[path_segment - 1])
+    return _time_at(segments, row, place, min(_start_of(segments, row + 1), ends[path_segment]))
 
 
 def _row_of(segments: Array, place: float, first: int, beyond: int, row: int) -> int:

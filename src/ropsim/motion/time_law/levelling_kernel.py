@@ -17,23 +17,25 @@ NEWTON = 2e-8
 SIXTH, THIRD = 1.0 / 6.0, 1.0 / 3.0
 
 
-def stoppable_speed(way: Array, piece: int, place: float, ahead: int) -> float:
+def stoppable_speed(way: Array, path_segment: int, place: float, ahead: int) -> float:
     """Return a speed, without acceleration, from which the motion can stop before the horizon of a piece.
 
     Segments behind the horizon do not matter if both are equally fast. The backward pass from there is kept.
     """
     known, speed = int(way[5, ahead]), 0.0
-    if piece > known:
+    if path_segment > known:
         return speed
-    if way[10, ahead] >= piece:
+    if way[10, ahead] >= path_segment:
         known, speed = int(way[10, ahead]), way[11, ahead]
-    for k in range(known, piece, -1):
+    for k in range(known, path_segment, -1):
         speed = reached_within(speed, way[0, k], way[2, k], way[3, k], way[4, k])
         if speed == way[9, k]:
-            speed = way[9, piece + 1]
+            speed = way[9, path_segment + 1]
             break
-    way[10, ahead], way[11, ahead] = piece, speed
-    return reached_within(speed, way[0, piece] - place, way[2, piece], way[3, piece], way[1, piece])
+    way[10, ahead], way[11, ahead] = path_segment, speed
+    return reached_within(
+        speed, way[0, path_segment] - place, way[2, path_segment], way[3, path_segment], way[1, path_segment]
+    )
 
 
 def reached_within(speed: float, length: float, acceleration: float, jerk: float, most: float) -> float:
@@ -103,7 +105,7 @@ def crossing_time(way: float, v: float, a: float, j: float) -> float:
 
 
 def level_off(
-    way: Array, piece: int, place: float, v: float, a: float, since: int
+    way: Array, path_segment: int, place: float, v: float, a: float, since: int
 ) -> tuple[int, int, float, float, int, float]:
     """Level the motion off from a place; `since` is the first piece whose horizon counts.
 
@@ -113,7 +115,7 @@ def level_off(
         how much faster the end is with a little more acceleration at the start, as a share of that.
     """
     p = way.shape[1] - 1
-    fault, k, where = 0, piece, 0
+    fault, k, where = 0, path_segment, 0
     bent, gained, shifted = 1.0, 0.0, 0.0  # acceleration, speed and place at the same time, as shares
     while True:
         length, jerk = way[0, k], way[3, k]

@@ -14,7 +14,7 @@ def plan_longer(
     rows: Array2,
     ends: Array1,
     longer_ends: Array1,
-    told: Array1,
+    result: Array1,
 ) -> None:
     """Write the result of `plan_segments`, expressed over path segments of several intervals.
 
@@ -26,11 +26,11 @@ def plan_longer(
         rows: see there; they count pieces.
         ends: see there, of the stages, shape (s,).
         longer_ends: where the times [s] go at which the pieces end, shape (c,).
-        told: see there.
+        result: see there.
     """
-    plan_segments(bounds, ways, courses, rows, ends, told)
-    if told[0] >= 0.0:
-        _over_longer(rows, int(told[0]), ends, counts, longer_ends)
+    plan_segments(bounds, ways, courses, rows, ends, result)
+    if result[0] >= 0.0:
+        _over_longer(rows, int(result[0]), ends, counts, longer_ends)
 
 
 def _over_longer(segments: Array, count: int, ends: Array, counts: Array, longer_ends: Array) -> None:
@@ -43,19 +43,21 @@ def _over_longer(segments: Array, count: int, ends: Array, counts: Array, longer
         counts: how many pieces are one, in order, shape (c,); their sum is p.
         longer_ends: where the times [s] go at which the longer pieces end, shape (c,).
     """
-    number = piece = int(segments[0, 0])  # 0; a number in the text would be a type of its own for numba
+    number = path_segment = int(
+        segments[0, 0]
+    )  # 0; a number in the text would be a type of its own for numba
     left, gone, first, length = int(counts[0]), 0.0, 0.0, 0.0
     for k in range(count):
-        if int(segments[0, k]) != piece:
+        if int(segments[0, k]) != path_segment:
             gone += length
             left -= 1
             if left == 0:
-                longer_ends[number] = ends[piece]
+                longer_ends[number] = ends[path_segment]
                 number += 1
                 left, first = int(counts[number]), gone
-            piece = int(segments[0, k])
+            path_segment = int(segments[0, k])
         length = segments[7, k]
         segments[0, k] = number
         segments[2, k] += gone - first
         segments[7, k] += gone - first
-    longer_ends[number] = ends[piece]
+    longer_ends[number] = ends[path_segment]

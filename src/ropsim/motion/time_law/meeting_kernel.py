@@ -76,7 +76,7 @@ def write_meeting(ways: Array, courses: Array, first: int, last: int, rows: Arra
     return n
 
 
-def _summit(way: Array, course: Array, start: int, top: float) -> tuple[int, float, int, float]:
+def _summit(way: Array, timing: Array, start: int, top: float) -> tuple[int, float, int, float]:
     """Return where the rise from a boundary is levelled off to a speed, and where that ends.
 
     Returns:
@@ -86,15 +86,15 @@ def _summit(way: Array, course: Array, start: int, top: float) -> tuple[int, flo
     row, high = first - 1, last - 1
     while high - row > 1:
         middle = (row + high) // 2
-        if course[7, middle + 1] >= top:
+        if timing[7, middle + 1] >= top:
             high = middle
         else:
             row = middle
     row = high
-    k, v, a, h = int(course[0, row]), course[2, row], course[3, row], course[5, row]
-    most = course[7, row + 1] if row + 1 < last else way[8, start]
-    before, after, under, over = 0.0, h, course[7, row] - top, most - top
-    jerk, change, t = way[3, k], course[4, row], 0.0
+    k, v, a, h = int(timing[0, row]), timing[2, row], timing[3, row], timing[5, row]
+    most = timing[7, row + 1] if row + 1 < last else way[8, start]
+    before, after, under, over = 0.0, h, timing[7, row] - top, most - top
+    jerk, change, t = way[3, k], timing[4, row], 0.0
     if over <= 0.0:
         t = h
     elif under >= 0.0:
@@ -104,13 +104,13 @@ def _summit(way: Array, course: Array, start: int, top: float) -> tuple[int, flo
     elif a > 0.0:
         t = (top - v - 0.5 * a * a / jerk) / a
     t = min(max(t, 0.0), h)
-    piece, place = k, 0.0
+    path_segment, place = k, 0.0
     for step in range(ROUNDS):
-        x = course[1, row] + t * (v + t * (0.5 * a + t * (change * SIXTH)))
+        x = timing[1, row] + t * (v + t * (0.5 * a + t * (change * SIXTH)))
         a1 = max(a + change * t, 0.0)
         v1 = v + t * (a + 0.5 * change * t)
-        _, piece, place, found, _, slope = level_off(way, k, min(x, way[0, k]), v1, a1, k)
-        if (step == 0 and piece == k) or not under < 0.0 < over or abs(found - top) <= LEVELLED * top:
+        _, path_segment, place, found, _, slope = level_off(way, k, min(x, way[0, k]), v1, a1, k)
+        if (step == 0 and path_segment == k) or not under < 0.0 < over or abs(found - top) <= LEVELLED * top:
             break
         if found <= top:
             before = t
@@ -122,11 +122,11 @@ def _summit(way: Array, course: Array, start: int, top: float) -> tuple[int, flo
             if not before < t < after:
                 t = before
                 under = 0.0
-    return row, t, piece, min(place, way[0, piece])
+    return row, t, path_segment, min(place, way[0, path_segment])
 
 
 def _copy(
-    way: Array, course: Array, start: int, row: int, t: float, rows: Array, n: int
+    way: Array, timing: Array, start: int, row: int, t: float, rows: Array, n: int
 ) -> tuple[int, int, float]:
     """Write the rise from a boundary until a time of a segment, and levelled off behind it.
 
@@ -135,15 +135,15 @@ def _copy(
     """
     v, a, change = 0.0, 0.0, 0.0
     for i in range(int(way[6, start]), row + 1):
-        h = course[5, i] if i < row else t
-        v, a, change = course[2, i], course[3, i], course[4, i]
-        _add_row(rows, n, int(course[0, i]), course[1, i], v, a, change, h)
-        rows[7, n] = course[6, i]
+        h = timing[5, i] if i < row else t
+        v, a, change = timing[2, i], timing[3, i], timing[4, i]
+        _add_row(rows, n, int(timing[0, i]), timing[1, i], v, a, change, h)
+        rows[7, n] = timing[6, i]
         n += 1
-    k = int(course[0, row])
-    x = course[6, row]
-    if t < course[5, row]:
-        x = min(course[1, row] + t * (v + t * (0.5 * a + t * (change * SIXTH))), way[0, k])
+    k = int(timing[0, row])
+    x = timing[6, row]
+    if t < timing[5, row]:
+        x = min(timing[1, row] + t * (v + t * (0.5 * a + t * (change * SIXTH))), way[0, k])
     rows[7, n - 1] = x
     v, a = v + t * (a + 0.5 * change * t), max(a + change * t, 0.0)
     end, levelled = x, False
@@ -166,7 +166,7 @@ def _copy(
 def _add_row(
     rows: Array,
     n: int,
-    piece: int,
+    path_segment: int,
     place: float,
     v: float,
     a: float,
@@ -174,5 +174,5 @@ def _add_row(
     duration: float,
 ) -> None:
     """Write a segment except its time and the path parameter at its end."""
-    rows[0, n], rows[2, n], rows[3, n] = piece, place, v
+    rows[0, n], rows[2, n], rows[3, n] = path_segment, place, v
     rows[4, n], rows[5, n], rows[6, n] = a, jerk, duration

@@ -22,9 +22,9 @@ class PathLimits:
         self.rows.flags.writeable = False
 
     @classmethod
-    def of(cls, stages: Iterable[Interval]) -> "PathLimits":
+    def of(cls, path_limits: Iterable[Interval]) -> "PathLimits":
         """Return the same as rows; ratios and horizons are left out."""
-        rows = [(one.length, one.speed, one.acceleration, one.jerk) for one in stages]
+        rows = [(one.length, one.speed, one.acceleration, one.jerk) for one in path_limits]
         return cls(np.array(rows, dtype=np.float64).reshape(-1, 4))
 
     def __len__(self) -> int:

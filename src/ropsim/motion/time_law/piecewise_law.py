@@ -68,9 +68,9 @@ class PiecewiseLaw:
 
         At the time at which a piece ends, the next one has begun. Start and end are exact.
         """
-        asked = np.ascontiguousarray(times, dtype=np.float64)
-        out = np.empty((4, len(asked)))
-        law_rows_kernel.rows_at(self.segments, self.duration, asked, out)
+        requested = np.ascontiguousarray(times, dtype=np.float64)
+        out = np.empty((4, len(requested)))
+        law_rows_kernel.rows_at(self.segments, self.duration, requested, out)
         return LawRows(out[0].astype(np.int64), out[1], out[2], out[3])
 
     def times_of(self, pieces: npt.ArrayLike, places: npt.ArrayLike) -> Array:
@@ -86,22 +86,22 @@ class PiecewiseLaw:
         Raises:
             IndexError: the path segment does not exist.
         """
-        asked = np.ascontiguousarray(places, dtype=np.float64)
-        out, numbers = np.empty((2, len(asked)))
+        requested = np.ascontiguousarray(places, dtype=np.float64)
+        out, numbers = np.empty((2, len(requested)))
         numbers[:] = pieces
-        told = np.empty(1)
-        law_times_kernel.times_at(self.segments, self.ends, numbers, asked, out, told)
-        if told[0] < len(asked):
+        result = np.empty(1)
+        law_times_kernel.times_at(self.segments, self.ends, numbers, requested, out, result)
+        if result[0] < len(requested):
             raise IndexError(f"piece {pieces!r} of {len(self.ends)}")
         return out
 
-    def time_of(self, piece: int, place: float) -> float:
+    def time_of(self, path_segment: int, place: float) -> float:
         """Return when the motion is at a place of a piece [s]; see `times_of`.
 
         Args:
-            piece: index of it.
+            path_segment: index of it.
             place: value of s.
         """
         out = np.empty(1)
-        law_times_kernel.time_at(self.segments, self.ends, piece, place, out)
+        law_times_kernel.time_at(self.segments, self.ends, path_segment, place, out)
         return float(out[0])

@@ -29,7 +29,7 @@ class _Rise(NamedTuple):
     most: float
 
 
-def write_rises(way: Array, course: Array) -> None:
+def write_rises(way: Array, timing: Array) -> None:
     """Write the rises over a way."""
     p = way.shape[1] - 1
     for i in range(p + 1):
@@ -50,14 +50,14 @@ def write_rises(way: Array, course: Array) -> None:
         if k + 1 < p and v1 <= way[4, k + 1] and a1 <= way[2, k + 1]:
             fault, _, _, top, _, _ = level_off(way, k + 1, 0.0, v1, a1, k)
             if fault == 0:
-                n = _add_rise(way, course, n, k, _Rise(v, a, until, most), end, length, reached)
+                n = _add_rise(way, timing, n, k, _Rise(v, a, until, most), end, length, reached)
                 k, v, a, reached = k + 1, v1, a1, top
                 continue
         last, top, fault, where = _latest(way, k, v, a, until, most, end)
         place, v1, a1 = state_after(last, v, a, jerk, until, most)
-        n = _add_rise(way, course, n, k, _Rise(v, a, until, most), last, min(place, length), reached)
+        n = _add_rise(way, timing, n, k, _Rise(v, a, until, most), last, min(place, length), reached)
         if fault == 0:
-            n, v, a = _add_levelling(way, course, n, k, min(place, length), v1, a1, top, where)
+            n, v, a = _add_levelling(way, timing, n, k, min(place, length), v1, a1, top, where)
             v, a, k, reached = min(v, way[4, where]), min(a, way[2, where]), where, top
         else:
             way[7, start], way[8, start] = n, top
@@ -94,20 +94,22 @@ def _latest(
             return low, top, 1, k + 1
     low, fault, where = _last_kept(way, k, v, a, until, most, low, high)
     place, v1, a1 = state_after(low, v, a, jerk, until, most)
-    found, piece, _, top, there, _ = level_off(way, k, min(place, length), v1, a1, k)
+    found, path_segment, _, top, there, _ = level_off(way, k, min(place, length), v1, a1, k)
     if found != 0:
-        fault, where, piece = found, there, there
+        fault, where, path_segment = found, there, there
     where = max(where, k + 2 - fault)  # a rise continues in a later path segment, despite rounding
     if fault == 2:
-        if piece >= where:
+        if path_segment >= where:
             return low, way[1, where], 1, where + 1
         return low, top, 1, where
-    if piece < where or where == way.shape[1] - 1:
+    if path_segment < where or where == way.shape[1] - 1:
         return low, top, 1, where
     return low, top, 0, where
 
 
-def _nearest(way: Array, piece: int, place: float, v: float, a: float, since: int) -> tuple[int, int, float]:
+def _nearest(
+    way: Array, path_segment: int, place: float, v: float, a: float, since: int
+) -> tuple[int, int, float]:
     """Return which bound is the first that is broken or else the nearest where a motion is levelled off.
 
     A boundary bounds nothing as long as the motion is levelled off before it, and little just behind it.
@@ -117,7 +119,7 @@ def _nearest(way: Array, piece: int, place: float, v: float, a: float, since: in
         share of it, below 0 where it is broken.
     """
     p = way.shape[1] - 1
-    k, where, room = piece, piece + 1, inf
+    k, where, room = path_segment, path_segment + 1, inf
     while True:
         length, jerk = way[0, k], way[3, k]
         t = a / jerk
@@ -217,21 +219,21 @@ def _levelled_at(
 
 
 def _add_rise(
-    way: Array, course: Array, n: int, k: int, rise: _Rise, end: float, last: float, reached: float
+    way: Array, timing: Array, n: int, k: int, rise: _Rise, end: float, last: float, reached: float
 ) -> int:
     """Write the segments of a rise in piece k up to a time and place; return the number of all."""
     jerk = way[3, k]
     if end <= rise.until:
-        return _add(course, n, k, 0.0, rise.v, rise.a, jerk, end, last, reached)
+        return _add(timing, n, k, 0.0, rise.v, rise.a, jerk, end, last, reached)
     place, v1, _ = state_after(rise.until, rise.v, rise.a, jerk, rise.until, rise.most)
-    n = _add(course, n, k, 0.0, rise.v, rise.a, jerk, rise.until, place, reached)
+    n = _add(timing, n, k, 0.0, rise.v, rise.a, jerk, rise.until, place, reached)
     _, _, _, top, _, _ = level_off(way, k, place, v1, rise.most, k)
-    return _add(course, n, k, place, v1, rise.most, 0.0, end - rise.until, last, max(top, reached))
+    return _add(timing, n, k, place, v1, rise.most, 0.0, end - rise.until, last, max(top, reached))
 
 
 def _add_levelling(
     way: Array,
-    course: Array,
+    timing: Array,
     n: int,
     k: int,
     place: float,
@@ -245,10 +247,10 @@ def _add_levelling(
         length, jerk = way[0, k], way[3, k]
         end = levelled_place(place, v, a, jerk)
         if end <= length or k + 2 == way.shape[1]:
-            n = _add(course, n, k, place, v, a, -jerk, a / jerk, min(end, length), top)
+            n = _add(timing, n, k, place, v, a, -jerk, a / jerk, min(end, length), top)
             return n, v + 0.5 * a * a / jerk, 0.0
         t = crossing_time(length - place, v, a, -jerk)
-        n = _add(course, n, k, place, v, a, -jerk, t, length, top)
+        n = _add(timing, n, k, place, v, a, -jerk, t, length, top)
         v += t * (a - 0.5 * jerk * t)
         a = max(a - jerk * t, 0.0)
         place = 0.0
@@ -257,9 +259,9 @@ def _add_levelling(
 
 
 def _add(
-    course: Array,
+    timing: Array,
     n: int,
-    piece: int,
+    path_segment: int,
     place: float,
     v: float,
     a: float,
@@ -269,6 +271,6 @@ def _add(
     top: float,
 ) -> int:
     """Write a segment; return the number of all."""
-    course[0, n], course[1, n], course[2, n], course[3, n] = piece, place, v, a
-    course[4, n], course[5, n], course[6, n], course[7, n] = jerk, duration, end, top
+    timing[0, n], timing[1, n], timing[2, n], timing[3, n] = path_segment, place, v, a
+    timing[4, n], timing[5, n], timing[6, n], timing[7, n] = jerk, duration, end, top
     return n + 1

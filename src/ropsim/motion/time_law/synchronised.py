@@ -51,9 +51,9 @@ class SynchronisedJoints:
             message = f"starts, ends and limits are of {counts} joints, allowed is one number of them"
             raise ProfileError(WRONG_PROFILE_REQUEST.at(None, message))
         way, bounds = q_end - q_start, np.array(each[2:])
-        shapes, told = np.empty((3, len(way))), np.empty(2)
-        synchronised_kernel.plan_together(way, bounds, shapes, told)
-        length, wrong = told.tolist()
+        shapes, result = np.empty((3, len(way))), np.empty(2)
+        synchronised_kernel.plan_together(way, bounds, shapes, result)
+        length, wrong = result.tolist()
         if length < 0.0:
             raise ProfileError(WRONG_PROFILE_REQUEST.at(None, _wrong_words(int(wrong), way, bounds)))
         if not (abs(way) > ZERO_LENGTH).any():
@@ -71,9 +71,9 @@ class SynchronisedJoints:
 
     def joints(self, s: Array) -> JointPoints:
         """Return the joints, their speeds and accelerations at times s [s], shape (k,); ends are exact."""
-        asked = np.ascontiguousarray(s, dtype=np.float64)
-        out = np.empty((3, len(asked), len(self.q_start)))
-        synchronised_kernel.joint_rows(self.q_start, self.q_end, self.shapes, self.length, asked, out)
+        requested = np.ascontiguousarray(s, dtype=np.float64)
+        out = np.empty((3, len(requested), len(self.q_start)))
+        synchronised_kernel.joint_rows(self.q_start, self.q_end, self.shapes, self.length, requested, out)
         return JointPoints(out[0], out[1], out[2])
 
     def path_rows(self, begin: float) -> PathRows:

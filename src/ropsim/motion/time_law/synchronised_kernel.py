@@ -111,8 +111,8 @@ def _half(
         v1 = 0.5 * most * tj
         v2 = most * (0.5 * tj + ta)
         v3 = most * (tj + ta)
-        begun = j * x1 * x1 * x1 / 6.0 + (v1 + 0.5 * most * x2) * x2
-        way = begun + ((v2 + (0.5 * most - j * x3 / 6.0) * x3) * x3 + v3 * x4)
+        context = j * x1 * x1 * x1 / 6.0 + (v1 + 0.5 * most * x2) * x2
+        way = context + ((v2 + (0.5 * most - j * x3 / 6.0) * x3) * x3 + v3 * x4)
         d1 = 0.5 * j * (x1 - x3) * (x1 + x3) + most * (x2 + x3)
         q[i] = q_end[i] + sign * way
         qd[i] = d1 * v
@@ -120,7 +120,7 @@ def _half(
 
 
 @kernel
-def plan_together(way: Array1, limits: Array2, shapes: Array2, told: Array1) -> None:
+def plan_together(way: Array1, limits: Array2, shapes: Array2, result: Array1) -> None:
     """Write the profiles that take n joints from rest to rest in one time, the least time of the slowest.
 
     The others are stretched to it: with times longer by a factor f, the jerk is smaller by f³.
@@ -130,7 +130,7 @@ def plan_together(way: Array1, limits: Array2, shapes: Array2, told: Array1) -> 
         limits: speed, acceleration and jerk of the joints, shape (3, n).
         shapes: where the profiles go: signed jerk at the start, for how long it lasts [s], and how long the
             acceleration lasts that follows [s]; of shape (3, n).
-        told: output for the time [s], or -1 and the index of a joint with a number that no motion can have;
+        result: output for the time [s], or -1 and the index of a joint with a number that no motion can have;
             shape (2,).
     """
     slowest = 0.0
@@ -138,7 +138,7 @@ def plan_together(way: Array1, limits: Array2, shapes: Array2, told: Array1) -> 
         length, speed, acceleration, jerk = abs(way[i]), limits[0, i], limits[1, i], limits[2, i]
         allowed = LEAST <= speed <= MOST and LEAST <= acceleration <= MOST and LEAST <= jerk <= MOST
         if not (allowed and length <= MOST):
-            told[0], told[1] = -1.0, i
+            result[0], result[1] = -1.0, i
             return
         peak = _peak(length, speed, acceleration, jerk) if length >= LEAST else 0.0
         if peak > 0.0:
@@ -156,7 +156,7 @@ def plan_together(way: Array1, limits: Array2, shapes: Array2, told: Array1) -> 
             shapes[2, i] *= factor
             rise = 2.0 * shapes[1, i] + shapes[2, i]
             shapes[0, i] = way[i] / (shapes[1, i] * (shapes[1, i] + shapes[2, i]) * (slowest - rise))
-    told[0], told[1] = slowest, 0.0
+    result[0], result[1] = slowest, 0.0
 
 
 def _peak(length: float, speed: float, acceleration: float, jerk: float) -> float:

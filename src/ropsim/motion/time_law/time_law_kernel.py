@@ -33,7 +33,7 @@ LEAST, MOST = 1e-50, 1e50
 
 @kernel
 def plan_segments(
-    bounds: Array2, ways: Array3, courses: Array3, rows: Array2, ends: Array1, told: Array1
+    bounds: Array2, ways: Array3, courses: Array3, rows: Array2, ends: Array1, result: Array1
 ) -> None:
     """Write the segments of constant jerk that take the motion from rest to rest over p pieces.
 
@@ -46,14 +46,14 @@ def plan_segments(
         rows: where the segments go: piece, time at the start [s], place, speed, acceleration, jerk, duration
             [s], place at the end; of shape (8, 16·p).
         ends: where the times [s] go at which the pieces end, shape (p,).
-        told: output for the number of segments, or -1 and the index of a path segment whose bounds no motion
+        result: becomes the number of segments, or -1 and the index of a path segment whose bounds no motion
             can have, shape (2,).
     """
     p = bounds.shape[0]
     there, back = ways[0], ways[1]
     wrong = _lay_out(bounds, ways)
     if wrong >= 0:
-        told[0], told[1] = -1.0, wrong
+        result[0], result[1] = -1.0, wrong
         return
     write_rises(there, courses[0])
     write_rises(back, courses[1])
@@ -62,7 +62,7 @@ def plan_segments(
         if there[6, i] >= 0.0 and back[6, p - i] >= 0.0:
             n = write_meeting(ways, courses, first, i, rows, n)
             first = i
-    told[0], told[1] = _time(bounds, ways[2, 0], rows, n, ends), 0.0
+    result[0], result[1] = _time(bounds, ways[2, 0], rows, n, ends), 0.0
 
 
 def _lay_out(bounds: Array, ways: Array) -> int:
@@ -100,9 +100,9 @@ def _time(bounds: Array, units: Array, rows: Array, n: int, ends: Array) -> int:
     time, count = 0.0, 0
     for k in range(n):
         i = int(rows[0, k])
-        begun = count > 0 and rows[0, count - 1] == i
-        if rows[6, k] > 0.0 and (time + rows[6, k] > time or not begun):
-            if count > 0 and not begun:
+        context = count > 0 and rows[0, count - 1] == i
+        if rows[6, k] > 0.0 and (time + rows[6, k] > time or not context):
+            if count > 0 and not context:
                 ends[i - 1] = time
             rows[0, count], rows[1, count], rows[6, count] = i, time, rows[6, k]
             for row in range(2, 5):

@@ -99,8 +99,8 @@ def blend_between(chain: MotionChain, before: PlannedMove, behind: PlannedMove) 
         return Stop.NO_WAY
     meeting = meeting_of(before, behind)
     one, other = (
-        way_of(chain.robot, joints, leg.planned.X_MT, path)
-        for leg, joints, path in (
+        way_of(chain.robot, joints, move.planned.X_MT, path)
+        for move, joints, path in (
             (before, before.joints, meeting.before if meeting else _in_base(before)),
             (behind, behind.joints, meeting.behind if meeting else _in_base(behind)),
         )
@@ -160,7 +160,7 @@ def commanded_zone(chain: MotionChain, move: MoveInstruction) -> float:
     return chain.controller.via_zone if modal.passes and modal.zone == 0.0 else modal.zone
 
 
-def _in_base(leg: PlannedMove) -> ToolPath | None:
+def _in_base(move: PlannedMove) -> ToolPath | None:
     """Return the path of the tool of a move if it is in the base frame."""
-    coordination = leg.planned.coordination
-    return None if coordination and coordination.frame else leg.tool
+    coordination = move.planned.coordination
+    return None if coordination and coordination.frame else move.tool

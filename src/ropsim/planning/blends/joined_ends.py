@@ -65,8 +65,8 @@ def joined_to(
         if not np.abs(q - near).max() < _FAR:  # true for NaN
             return None
         q[0], q[-1] = ends[0].q[0], ends[1].q[0]
-        rough = sampled_with_error(length, q)[1]
-        if steps == _STEPS[-1] or (rough is not None and rough.max() <= SMOOTH):
+        error = sampled_with_error(length, q)[1]
+        if steps == _STEPS[-1] or (error is not None and error.max() <= SMOOTH):
             return chain.joint_interpolator.refine(JointSamples(length, q))
     return None
 

@@ -63,6 +63,6 @@ def wrist_corner(
     return WristCorner(way.led_by(joints), joints)
 
 
-def _joints(leg: PlannedMove, place: float) -> JointPoints:
-    assert leg.joints is not None
-    return leg.joints.joints(np.array([place]))
+def _joints(move: PlannedMove, place: float) -> JointPoints:
+    assert move.joints is not None
+    return move.joints.joints(np.array([place]))

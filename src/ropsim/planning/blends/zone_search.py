@@ -128,9 +128,9 @@ class _ArmWay(_Way):
         """Return where the way is in a zone at most `clip` from the end (1.0) or the start (0.0)."""
         kind, begin, length, size, flat, _ = self._rows
         chain, rows = self._chain, np.concatenate(flat).reshape(size, -1)
-        asked = np.array([(self.length, zone, clip, from_end, kind, begin, length, 0.0, size)])
+        requested = np.array([(self.length, zone, clip, from_end, kind, begin, length, 0.0, size)])
         tcps = self._X_MT.position[np.newaxis]
         paths = SearchPaths(ZONE_SHARES, ZONE_NODES, chain.flat, chain.spread, rows, tcps)
-        zones_of_arm(paths, asked, SearchWork.of(1, self._robot.n, len(chain.slides)))
-        place, distance, *_ = asked[0].tolist()
+        zones_of_arm(paths, requested, SearchWork.of(1, self._robot.n, len(chain.slides)))
+        place, distance, *_ = requested[0].tolist()
         return place, distance

@@ -88,51 +88,51 @@ class SearchWork(NamedTuple):
 
 
 @kernel
-def zones_of_arm(paths: SearchPaths, asked: Array2, work: SearchWork) -> None:
+def zones_of_arm(paths: SearchPaths, requested: Array2, work: SearchWork) -> None:
     """Search on k paths for the path parameters at which the TCP is at a distance from an end of each.
 
     Args:
         paths: of the arm.
-        asked: length of each path, the zone [m], how far from that end it may be found at most, 1.0 for the
-            end of the path, 0.0 for its start; then kind, begin and length of `PathRows`, the first row of
-            the path and that after its last one; becomes the place, and the distance of the TCP there [m];
+        requested: length of each path, the zone [m], greatest distance from that end along the path, 1.0 for
+            the end of the path, 0.0 for its start; then kind, begin and length of `PathRows`, the first row
+            of the path and that after its last one; becomes the place, and the distance of the TCP there [m];
             shape (k, 9).
         work: buffers.
     """
-    looks, held, poses_at, poses = work.looks, work.held, work.poses_at, work.poses
+    samples, held, poses_at, poses = work.looks, work.held, work.poses_at, work.poses
     for i in range(POSES):
         poses[i] = 0.0
-    for first in range(0, asked.shape[0], looks.shape[0]):
-        beyond = min(first + looks.shape[0], asked.shape[0])
-        own, tools = asked[first:beyond], paths.tcps[first:beyond]
+    for first in range(0, requested.shape[0], samples.shape[0]):
+        beyond = min(first + samples.shape[0], requested.shape[0])
+        own, tools = requested[first:beyond], paths.tcps[first:beyond]
         for k in range(own.shape[0]):
             held[k, COUNT], held[k, ENDS], held[k, CENTRED] = 1.0, 0.0, 0.0
             for i in range(LOOK_STATE):
-                looks[k, STATE, i] = 0.0
+                samples[k, STATE, i] = 0.0
         count = _ask(paths, own, work)
         while count > 0:
             forward_rows(paths.chain, work.steps[:count], poses_at[:count], poses)
-            _answer(tools, poses_at, own, looks, held)
+            _answer(tools, poses_at, own, samples, held)
             count = _ask(paths, own, work)
 
 
-def _ask(paths: SearchPaths, asked: Array, work: SearchWork) -> int:
+def _ask(paths: SearchPaths, requested: Array, work: SearchWork) -> int:
     """Write coordinates at the next samples of all searches, and return the number of these."""
-    looks, held, points, total = work.looks, work.held, work.points, 0
-    for k in range(asked.shape[0]):
+    samples, held, points, total = work.looks, work.held, work.points, 0
+    for k in range(requested.shape[0]):
         if held[k, ENDS] != 0.0:
             held[k, COUNT] = 0.0
         if held[k, COUNT] == 0.0:
             continue
-        one, places, state = asked[k], looks[k, PLACES], looks[k, STATE]
-        look_further(paths.shares, paths.nodes, one[ZONE], one[CLIP], looks[k], state)
+        one, places, state = requested[k], samples[k, PLACES], samples[k, STATE]
+        look_further(paths.shares, paths.nodes, one[ZONE], one[CLIP], samples[k], state)
         count = int(state[LOOK_COUNT])
         if count == 0:  # how far it is at the place that was found
             count, held[k, ENDS] = 1, 1.0
-            looks[k, LOOK_WAYS, 0] = state[LOOK_FOUND]
+            samples[k, LOOK_WAYS, 0] = state[LOOK_FOUND]
         held[k, COUNT] = count
         for i in range(count):
-            way = looks[k, LOOK_WAYS, i]
+            way = samples[k, LOOK_WAYS, i]
             places[i] = one[LENGTH] - way if one[FROM_END] != 0.0 else way
         if held[k, ENDS] != 0.0:
             one[PLACE] = places[0]
@@ -148,10 +148,10 @@ def _ask(paths: SearchPaths, asked: Array, work: SearchWork) -> int:
     return total
 
 
-def _answer(tcps: Array, poses_at: Array, asked: Array, looks: Array, held: Array) -> None:
+def _answer(tcps: Array, poses_at: Array, requested: Array, samples: Array, held: Array) -> None:
     """Tell searches how far the TCP is from the centre, at first from where it is at the first place."""
     at = 0
-    for k in range(asked.shape[0]):
+    for k in range(requested.shape[0]):
         tcp, count = tcps[k], int(held[k, COUNT])
         for i in range(count):
             pose = poses_at[at + i]
@@ -161,9 +161,9 @@ def _answer(tcps: Array, poses_at: Array, asked: Array, looks: Array, held: Arra
             if held[k, CENTRED] == 0.0:
                 held[k, CENTRED], held[k, X], held[k, Y], held[k, Z] = 1.0, u, v, w
             x, y, z = u - held[k, X], v - held[k, Y], w - held[k, Z]
-            looks[k, LOOK_SQUARES, i] = x * x + y * y + z * z
+            samples[k, LOOK_SQUARES, i] = x * x + y * y + z * z
         if held[k, ENDS] != 0.0 and count:
-            asked[k, DISTANCE] = looks[k, LOOK_SQUARES, 0] ** 0.5
+            requested[k, DISTANCE] = samples[k, LOOK_SQUARES, 0] ** 0.5
         at += count
 
 

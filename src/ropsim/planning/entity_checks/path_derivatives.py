@@ -78,7 +78,7 @@ def _middles(length: float) -> Array:
 
 def _around(
     entity: object,
-    look: Callable[[Array], P],
+    sample: Callable[[Array], P],
     kind: type[P],
     length: float,
     step: float,
@@ -87,7 +87,7 @@ def _around(
     """Return the derivatives of a path a step before, at and a step behind the places."""
     found: list[P] = []
     for offset in (-step, 0.0, step):
-        points = guarded(entity, partial(look, _middles(length) + offset), (kind,), move)
+        points = guarded(entity, partial(sample, _middles(length) + offset), (kind,), move)
         if isinstance(points, Refusal):
             return points
         found.append(points)

@@ -52,31 +52,31 @@ def arm_bounds(robot: RobotModel, payload: Payload) -> ArmBounds:
 
 
 def slowed_findings(
-    legs: Sequence[PlannedMove], ends: Sequence[float], slowed: Sequence[Slowed], robot: RobotModel
+    moves: Sequence[PlannedMove], ends: Sequence[float], slowed: Sequence[Slowed], robot: RobotModel
 ) -> tuple[Diagnostic, ...]:
     """Return M563 for each move that is slowed, at its slowest place.
 
     Args:
-        legs: the moves.
+        moves: the moves.
         ends: motion times at which they end [s].
         slowed: the parts of the motion that are slower than planned.
         robot: the arm.
     """
     worst: dict[int, Slowed] = {}
     for part in slowed:
-        leg = move_at(ends, 0.5 * (part.start + part.end))
-        if leg not in worst or part.share < worst[leg].share:
-            worst[leg] = part
+        move = move_at(ends, 0.5 * (part.start + part.end))
+        if move not in worst or part.share < worst[move].share:
+            worst[move] = part
     return tuple(
-        _slowed(legs[leg], part, robot.axis_joints[part.joint], ends[leg - 1] if leg else 0.0, ends[leg])
-        for leg, part in sorted(worst.items())
+        _slowed(moves[move], part, robot.axis_joints[part.joint], ends[move - 1] if move else 0.0, ends[move])
+        for move, part in sorted(worst.items())
         if part.share < WORTH_SAYING
     )
 
 
-def beyond_refusal(leg: PlannedMove, beyond: Infeasible, robot: RobotModel) -> Refusal:
+def beyond_refusal(move: PlannedMove, beyond: Infeasible, robot: RobotModel) -> Refusal:
     """Return M564 for a move that exceeds the capability of a joint at any speed."""
-    joint, origin = robot.axis_joints[beyond.joint], leg.move.origin
+    joint, origin = robot.axis_joints[beyond.joint], move.move.origin
     finding = BEYOND_LIMITS.at(
         origin.span,
         f"joint `{joint.name}` would need a {_WORDS[beyond.quantity][0]} of "
@@ -99,9 +99,9 @@ def move_at(ends: Sequence[float], phi: float) -> int:
     return min(bisect_right(ends, phi), len(ends) - 1)
 
 
-def _slowed(leg: PlannedMove, part: Slowed, joint: Joint, start: float, end: float) -> Diagnostic:
+def _slowed(move: PlannedMove, part: Slowed, joint: Joint, start: float, end: float) -> Diagnostic:
     place = (0.5 * (part.start + part.end) - start) / max(end - start, 1e-300)
-    place, origin = min(max(place, 0.0), 1.0), leg.move.origin
+    place, origin = min(max(place, 0.0), 1.0), move.move.origin
     return SLOWED.at(
         origin.span,
         f"slowed down to {part.share:.0%} of the speed that its other limits allow, after {place:.0%} of the "

@@ -48,9 +48,9 @@ def binding_constraints(
     found: list[CriticalLimit | None] = [None] * len(plan.moves)
     if not looked:
         return tuple(found)
-    looks, longest = _joints(plan, looked, bounds)
+    samples, longest = _joints(plan, looked, bounds)
     on_tool = [number for number, one in enumerate(looked) if one.move.on_tool_path]
-    of_tools = binding_of_tools(plan, [looked[one].move for one in on_tool], on_tool, looks, robot)
+    of_tools = binding_of_tools(plan, [looked[one].move for one in on_tool], on_tool, samples, robot)
     of_tool = dict(zip(on_tool, of_tools, strict=True))
     for number, (one, (best, share)) in enumerate(zip(looked, longest, strict=True)):
         if number in of_tool and of_tool[number][1] > share:

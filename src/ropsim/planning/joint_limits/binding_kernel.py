@@ -11,7 +11,14 @@ TURNED = 1e-9
 
 @kernel
 def look_at(
-    q: Array2, qd: Array2, qdd: Array2, spans: Array2, most: int, looks: Array1, starts: Array1, rows: Array3
+    q: Array2,
+    qd: Array2,
+    qdd: Array2,
+    spans: Array2,
+    most: int,
+    samples: Array1,
+    starts: Array1,
+    rows: Array3,
 ) -> None:
     """Choose the control ticks at which moves are looked at, evenly spaced, and copy their rows.
 
@@ -21,7 +28,7 @@ def look_at(
         qdd: accelerations [rad/s² | m/s²], likewise.
         spans: the last tick before each of m moves begins, and the last one on it, shape (m, 2).
         most: looks at a move, at most.
-        looks: where the numbers of the ticks go, without the last one of each move, shape (room,).
+        samples: where the numbers of the ticks go, without the last one of each move, shape (room,).
         starts: becomes the first look at each move, and how many there are, k, shape (m + 1,).
         rows: where coordinates, speeds and accelerations there go, shape (3, room, n).
     """
@@ -30,7 +37,7 @@ def look_at(
         starts[m] = k
         first, end = int(spans[m, 0]), int(spans[m, 1]) - 1
         for tick in range(first, end, (end - first + most - 1) // most):
-            looks[k] = tick
+            samples[k] = tick
             for j in range(n):
                 rows[0, k, j], rows[1, k, j], rows[2, k, j] = q[tick, j], qd[tick, j], qdd[tick, j]
             k += 1
@@ -56,7 +63,7 @@ class Reached(NamedTuple):
 def joints_reached(
     qd: Array2,
     qdd: Array2,
-    looks: Array1,
+    samples: Array1,
     starts: Array1,
     torque: Array2,
     most: Array3,
@@ -69,7 +76,7 @@ def joints_reached(
     Args:
         qd: speeds at all control ticks [rad/s | m/s], shape (ticks, n).
         qdd: accelerations [rad/s² | m/s²], shape (ticks, n).
-        looks: numbers of the k ticks that are looked at, none of them the last one, shape (k,).
+        samples: numbers of the k ticks that are looked at, none of them the last one, shape (k,).
         starts: the first look at each of m moves, and k, shape (m + 1,).
         torque: at the looks [N m | N], shape (k, n).
         most: limits of speed, acceleration, torque and jerk of each move, shape (m, 4, n).
@@ -83,7 +90,7 @@ def joints_reached(
             for j in range(qd.shape[1]):
                 counts[m, i, j] = 0.0
         for k in range(int(starts[m]), int(starts[m + 1])):
-            row, found = int(looks[k]), 0.0
+            row, found = int(samples[k]), 0.0
             for j in range(qd.shape[1]):
                 jerk = (qdd[row + 1, j] - qdd[row, j]) / period
                 values = (abs(qd[row, j]), abs(qdd[row, j]), abs(torque[k, j]), abs(jerk))
@@ -103,7 +110,7 @@ def joints_reached(
 @kernel
 def four_in_a_row(
     q: Array2,
-    looks: Array1,
+    samples: Array1,
     reached: Array1,
     starts: Array1,
     chosen: Array1,
@@ -116,12 +123,12 @@ def four_in_a_row(
 
     Args:
         q: coordinates at all control ticks [rad | m], shape (ticks, n).
-        looks: numbers of the ticks that are looked at, shape (room,).
+        samples: numbers of the ticks that are looked at, shape (room,).
         reached: what else is known of each look, shape (room,).
         starts: the first look at each of m moves, and how many there are, shape (m + 1,).
         chosen: numbers of the moves, rising, shape (t,).
         rows: where the rows go, one behind the other, shape (4·room, n).
-        looks_here: becomes `looks` of these moves alone, shape (room,).
+        looks_here: becomes `samples` of these moves alone, shape (room,).
         reached_here: likewise `reached`.
         starts_here: likewise `starts`, shape (t + 1,).
     """
@@ -129,10 +136,10 @@ def four_in_a_row(
     for c in range(chosen.shape[0]):
         starts_here[c] = k
         m = int(chosen[c])
-        for look in range(int(starts[m]), int(starts[m + 1])):
-            looks_here[k], reached_here[k] = looks[look], reached[look]
+        for sample in range(int(starts[m]), int(starts[m + 1])):
+            looks_here[k], reached_here[k] = samples[sample], reached[sample]
             for four in range(4):
-                tick = min(int(looks[look]) + four, last)
+                tick = min(int(samples[sample]) + four, last)
                 for j in range(q.shape[1]):
                     rows[4 * k + four, j] = q[tick, j]
             k += 1
@@ -141,12 +148,12 @@ def four_in_a_row(
 
 @kernel
 def tool_on_pieces(
-    poses: Array3, starts: Array1, tools: Array3, looks: Array1, pieces: Array2, on: Array1
+    poses: Array3, starts: Array1, tools: Array3, samples: Array1, path_segments: Array2, on: Array1
 ) -> None:
     """Put the tools on, and write on which pieces looks lie; see `put_on` and `piece_numbers`."""
     put_on(poses, starts, tools)
     count = int(starts[tools.shape[0]])
-    piece_numbers(looks[:count], pieces, on[:count])
+    piece_numbers(samples[:count], path_segments, on[:count])
 
 
 @kernel
@@ -169,19 +176,23 @@ def put_on(poses: Array3, starts: Array1, tools: Array3) -> None:
 
 
 @kernel
-def piece_numbers(looks: Array1, pieces: Array2, on: Array1) -> None:
+def piece_numbers(samples: Array1, path_segments: Array2, on: Array1) -> None:
     """Write the numbers of the pieces on which looks lie.
 
     Args:
-        looks: numbers of the ticks that are looked at, rising, shape (k,).
-        pieces: the last tick before each of them begins, and the last one on it, rising, shape (p, 2).
+        samples: numbers of the ticks that are looked at, rising, shape (k,).
+        path_segments: the last tick before each of them begins, and the last one on it, rising, shape (p, 2).
         on: where the answers go, -1.0 for no piece, shape (k,).
     """
-    piece = 0
-    for k in range(looks.shape[0]):
-        while piece < pieces.shape[0] and pieces[piece, 1] <= looks[k]:
-            piece += 1
-        on[k] = piece if piece < pieces.shape[0] and pieces[piece, 0] <= looks[k] else -1.0
+    path_segment = 0
+    for k in range(samples.shape[0]):
+        while path_segment < path_segments.shape[0] and path_segments[path_segment, 1] <= samples[k]:
+            path_segment += 1
+        on[k] = (
+            path_segment
+            if path_segment < path_segments.shape[0] and path_segments[path_segment, 0] <= samples[k]
+            else -1.0
+        )
 
 
 @kernel

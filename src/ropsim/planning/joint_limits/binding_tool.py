@@ -41,7 +41,7 @@ class Looks:
 
 
 def binding_of_tools(
-    plan: MotionPlan, moves: Sequence[TimedMove], numbers: Sequence[int], looks: Looks, robot: RobotModel
+    plan: MotionPlan, moves: Sequence[TimedMove], numbers: Sequence[int], samples: Looks, robot: RobotModel
 ) -> list[tuple[LimitQuantity, float]]:
     """Return the limit of the tool that each move is at for longest, and for which share of the looks.
 
@@ -53,12 +53,12 @@ def binding_of_tools(
         plan: of a sequence.
         moves: on paths of the tool.
         numbers: of these moves among the evaluated ones, rising.
-        looks: at the sequence.
+        samples: at the sequence.
         robot: the arm.
     """
     if not moves:
         return []
-    starts, longest, idle = _counts(plan, moves, numbers, looks, robot)
+    starts, longest, idle = _counts(plan, moves, numbers, samples, robot)
     may_bend = [one.path is not None and constant_derivatives(one.path) is None for one in plan.pieces]
     found = []
     for (first, end), (quantity, most) in zip(pairwise(starts), longest, strict=True):
@@ -71,7 +71,7 @@ def binding_of_tools(
 
 
 def _counts(
-    plan: MotionPlan, moves: Sequence[TimedMove], numbers: Sequence[int], looks: Looks, robot: RobotModel
+    plan: MotionPlan, moves: Sequence[TimedMove], numbers: Sequence[int], samples: Looks, robot: RobotModel
 ) -> tuple[list[float], list[list[float]], Array]:
     """Return at how many looks limits are reached, and on which piece each look lies at which none is.
 
@@ -79,18 +79,18 @@ def _counts(
         plan: of a sequence.
         moves: on paths of the tool, t of them.
         numbers: of these moves among the evaluated ones, rising.
-        looks: at the sequence.
+        samples: at the sequence.
         robot: the arm.
 
     Returns:
         the first evaluation of each of these moves, and their number; the rest as `tool_reached` writes it.
     """
     q = np.ascontiguousarray(plan.reference.q)
-    t, room = len(moves), len(looks.ticks)
+    t, room = len(moves), len(samples.ticks)
     rows, here, chosen = np.empty((4 * room, q.shape[1])), np.empty((4, room)), np.array(numbers, dtype=float)
     ticks, reached, on, idle = here[0], here[1], here[2], here[3]
     first = np.empty(t + 1)
-    four_in_a_row(q, looks.ticks, looks.reached, looks.starts, chosen, rows, ticks, reached, first)
+    four_in_a_row(q, samples.ticks, samples.reached, samples.starts, chosen, rows, ticks, reached, first)
     starts: list[float] = first.tolist()
     count = int(starts[-1])
     poses = forward_batch(robot, rows[: 4 * count])
@@ -102,12 +102,12 @@ def _counts(
             one.X_MT.write_matrix(tools[number])
         if one.limits is not None:
             least[number] = _least(one.limits.tool, plan.period)
-    pieces = np.array([(one.first, one.last) for one in plan.pieces], dtype=np.float64).reshape(-1, 2)
-    tool_on_pieces(poses, first, tools, ticks, pieces, on)
-    for number, piece in enumerate(plan.pieces):
-        if piece.frame is not None:
+    path_segments = np.array([(one.first, one.last) for one in plan.pieces], dtype=np.float64).reshape(-1, 2)
+    tool_on_pieces(poses, first, tools, ticks, path_segments, on)
+    for number, path_segment in enumerate(plan.pieces):
+        if path_segment.frame is not None:
             four = np.repeat(on[:count] == number, 4)
-            poses[four] = np.linalg.solve(piece.frame.matrices(rows[: 4 * count][four]), poses[four])
+            poses[four] = np.linalg.solve(path_segment.frame.matrices(rows[: 4 * count][four]), poses[four])
     counts, longest = np.empty((t, 6)), np.empty((t, 2))
     tool_reached(poses, first, on, least, reached, counts, longest, idle)
     return starts, longest.tolist(), idle

@@ -8,7 +8,9 @@ from ropsim.spatial import Array
 
 
 @kernel
-def exceeding(used: Array2, allowed: float, phi: Array1, spans: Array2, ticks: Array1, told: Array2) -> None:
+def exceeding(
+    used: Array2, allowed: float, phi: Array1, spans: Array2, ticks: Array1, result: Array2
+) -> None:
     """Write the ticks, without 0, at which a limit is exceeded, and which of them lie in spans.
 
     Args:
@@ -17,7 +19,7 @@ def exceeding(used: Array2, allowed: float, phi: Array1, spans: Array2, ticks: A
         phi: motion times of the ticks, rising [s], shape (k,).
         spans: motion times behind which a span begins and up to which it goes [s], shape (r, 2 or more).
         ticks: where the numbers of the ticks go, shape (k,).
-        told: where the first one in each span and that behind the last one go, as places in `ticks`, (r, 2).
+        result: becomes the index in `ticks` of the first one in each span and that after the last, (r, 2).
     """
     count = 0
     for k in range(1, phi.shape[0]):
@@ -33,7 +35,7 @@ def exceeding(used: Array2, allowed: float, phi: Array1, spans: Array2, ticks: A
                     low = middle + 1
                 else:
                     high = middle
-            told[span, end] = low
+            result[span, end] = low
 
 
 class SectionLaw(NamedTuple):

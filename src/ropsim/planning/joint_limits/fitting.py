@@ -58,7 +58,7 @@ def fitted(
     """
     if planned.reference.strain.is_kept:
         planned = planned.at_each(ticks, arm)
-    if not any(run.part.leads_tool for run in planned.course.runs):
+    if not any(section.part.leads_tool for section in planned.course.runs):
         return planned.loaded(arm)
     if planned.reference.torque is None and not planned.reference.strain.is_kept:
         return _fitted(planned, arm, replace(arm, effort=None), ticks, rules)
@@ -72,7 +72,7 @@ def _fitted(
     planned: EvaluatedTrajectory, arm: ArmBounds, looked_at: ArmBounds, ticks: Ticks, rules: TimingRules
 ) -> EvaluatedTrajectory:
     """Return the course with its bounds brought down; at first with regard to evaluated quantities alone."""
-    now, times, bands = planned, _band_times(planned), dict[int, LimitGrid]()
+    now, times, grid = planned, _band_times(planned), dict[int, LimitGrid]()
     for attempt in range(_ATTEMPTS + _ROUNDS):
         exceeded = _exceeding(now)
         if not exceeded and now.ticks != ticks:
@@ -86,57 +86,55 @@ def _fitted(
                     return fitted(heavy, arm, ticks, rules)
                 continue
         if not exceeded:
-            return replace(now, slowed=slowed_in(planned.course, now.course, bands))
-        changed = [run.part for run in now.course.runs]
+            return replace(now, slowed=slowed_in(planned.course, now.course, grid))
+        changed = [section.part for section in now.course.runs]
         for number, found in exceeded.items():
-            own = bands.get(number) or _bands(planned, number, times)
+            own = grid.get(number) or _bands(planned, number, times)
             if attempt < _ATTEMPTS:
                 aim = Aim(looked_at, now.ticks.period, 1.0 - _LESS * (1 + attempt), rules)
-                bands[number], changed[number] = slower_run(
-                    now.motion, now.reference, number, own, found, aim
-                )
+                grid[number], changed[number] = slower_run(now.motion, now.reference, number, own, found, aim)
             else:
-                bands[number] = own.slower(1.0 / (now.reference.strain.factor * (1.0 + _LESS)))
-                changed[number] = bands[number].replanned(rules)
-            if bands[number].share < _LEAST:
+                grid[number] = own.slower(1.0 / (now.reference.strain.factor * (1.0 + _LESS)))
+                changed[number] = grid[number].replanned(rules)
+            if grid[number].share < _LEAST:
                 return planned.loaded(arm)
-        course = timing_of(changed, len(planned.course.ends))
-        if course.duration - planned.course.duration > LONGEST_DELAY:
+        timing = timing_of(changed, len(planned.course.ends))
+        if timing.duration - planned.course.duration > LONGEST_DELAY:
             return planned.loaded(arm)
-        now = as_bounds_allow(now.motion.timed(course), looked_at, ticks)
+        now = as_bounds_allow(now.motion.timed(timing), looked_at, ticks)
     return planned.loaded(arm)
 
 
 def _is_too_heavy(reference: Reference, arm: ArmBounds) -> bool:
     """Return whether a joint has too little torque to hold the arm somewhere: no speed helps there."""
-    asked = demand(reference.rows, arm.joints, arm.effort)
-    return too_heavy(asked, reference.phi) is not None
+    requested = demand(reference.rows, arm.joints, arm.effort)
+    return too_heavy(requested, reference.phi) is not None
 
 
 def _band_times(fit: EvaluatedTrajectory) -> Array:
     """Return motion times between which bands lie [s], rising, shape (m,)."""
     reference, duration = fit.reference, fit.course.duration
     count = max(math.ceil(duration / _SPACING), _FEWEST)
-    ways, times, told = np.empty((2, count)), np.empty(MOST_PARTS * count + 1), np.empty(1)
-    band_times(reference.strain.used, reference.phi, duration, ways, times, told)
-    return times[: int(told[0])]
+    ways, times, result = np.empty((2, count)), np.empty(MOST_PARTS * count + 1), np.empty(1)
+    band_times(reference.strain.used, reference.phi, duration, ways, times, result)
+    return times[: int(result[0])]
 
 
 def _bands(planned: EvaluatedTrajectory, number: int, times: Array) -> LimitGrid:
     """Return the grid of limits of a planned section, between times, see `_band_times`."""
-    run = planned.course.runs[number]
-    return limit_grid_of(run.part, times, run.start)
+    section = planned.course.runs[number]
+    return limit_grid_of(section.part, times, section.start)
 
 
 def _exceeding(fit: EvaluatedTrajectory) -> dict[int, Array]:
     """Return the ticks, without 0, of exceeded limits in sections with path limits, by section."""
-    reference, runs = fit.reference, fit.course.runs
+    reference, sections = fit.reference, fit.course.runs
     table = fit.motion.table
-    spans = table.runs if table else np.array([(run.start, run.end) for run in runs])
-    ticks, told = np.empty(len(reference.phi)), np.empty((len(runs), 2))
-    exceeding(reference.strain.used, 1.0 + ROUNDING, reference.phi, spans, ticks, told)
+    spans = table.runs if table else np.array([(section.start, section.end) for section in sections])
+    ticks, result = np.empty(len(reference.phi)), np.empty((len(sections), 2))
+    exceeding(reference.strain.used, 1.0 + ROUNDING, reference.phi, spans, ticks, result)
     return {
         number: ticks[int(first) : int(until)]
-        for number, (first, until) in enumerate(told.tolist())
-        if first < until and runs[number].part.has_stages
+        for number, (first, until) in enumerate(result.tolist())
+        if first < until and sections[number].part.has_stages
     }

@@ -20,7 +20,9 @@ STEEP = 0.4
 
 
 @kernel
-def band_times(used: Array2, phi: Array1, duration: float, ways: Array2, times: Array1, told: Array1) -> None:
+def band_times(
+    used: Array2, phi: Array1, duration: float, ways: Array2, times: Array1, result: Array1
+) -> None:
     """Write motion times that are about one real time apart, as dense as a motion must be slow there.
 
     Even ways between two times are divided by the rate that they and their neighbours leave, and where the
@@ -32,7 +34,7 @@ def band_times(used: Array2, phi: Array1, duration: float, ways: Array2, times: 
         duration: motion time at the end [s].
         ways: room to work in for w even ways, shape (2, w).
         times: where they go, from 0 to the end, rising, shape (64 · w + 1,).
-        told: where their number goes, shape (1,).
+        result: where their number goes, shape (1,).
     """
     last = ways.shape[1] - 1
     step = duration / (last + 1)
@@ -60,7 +62,7 @@ def band_times(used: Array2, phi: Array1, duration: float, ways: Array2, times: 
             times[count] = begin + (end - begin) * (part / parts)
             count += 1
     times[count] = duration
-    told[0] = count + 1
+    result[0] = count + 1
 
 
 class SectionTimes(NamedTuple):
@@ -96,7 +98,7 @@ class GridLines(NamedTuple):
 def lay_grid(
     section: SectionTimes,
     times: Array1,
-    stages: Array2,
+    path_limits: Array2,
     counts: Array1,
     near: float,
     inner: Array1,
@@ -108,7 +110,7 @@ def lay_grid(
     Args:
         section: its times.
         times: nominal times, rising [s], shape (k,).
-        stages: length, and bounds of speed, acceleration and jerk of each stage, shape (s, 4).
+        path_limits: length, and bounds of speed, acceleration and jerk of each stage, shape (s, 4).
         counts: how many stages each piece has, shape (p,).
         near: below this share of the part a place and the end of a stage are one.
         inner: work, shape (k,).
@@ -116,8 +118,8 @@ def lay_grid(
         out: the results.
     """
     segments, ends, start = section
-    begins, bands = out.begins, out.cells
-    _begin(stages, counts, begins)
+    begins, grid = out.begins, out.cells
+    _begin(path_limits, counts, begins)
     inside, duration, least = 0, ends[ends.shape[0] - 1], near * begins[begins.shape[0] - 1]
     for k in range(times.shape[0]):
         if 0.0 < times[k] - start < duration:
@@ -125,40 +127,40 @@ def lay_grid(
             inside += 1
     rows_at(segments, duration, inner[:inside], law)
     count, k, begin = 0, 0, 0.0
-    piece, left = 0, counts[0]
-    bands[PLACE, 0], bands[TIME, 0] = 0.0, 0.0
-    for stage in range(stages.shape[0]):
-        end = begin + stages[stage, 0]
+    path_segment, left = 0, counts[0]
+    grid[PLACE, 0], grid[TIME, 0] = 0.0, 0.0
+    for stage in range(path_limits.shape[0]):
+        end = begin + path_limits[stage, 0]
         if left == 0.0:
-            piece += 1
-            left = counts[piece]
+            path_segment += 1
+            left = counts[path_segment]
         left -= 1.0
-        until = inf if stage + 1 == stages.shape[0] else end
+        until = inf if stage + 1 == path_limits.shape[0] else end
         while k < inside and begins[int(law[0, k])] + law[1, k] <= until:
             at = begins[int(law[0, k])] + law[1, k]
             k += 1
-            if at > bands[PLACE, count] and at - begin > least and end - at > least:
-                bands[TIME, count + 1] = inner[k - 1]
-                count = _add(bands, count, at, stages, stage, piece)
-        time_at(segments, ends, piece, end - begins[piece], bands[TIME, count + 1 : count + 2])
-        count = _add(bands, count, end, stages, stage, piece)
+            if at > grid[PLACE, count] and at - begin > least and end - at > least:
+                grid[TIME, count + 1] = inner[k - 1]
+                count = _add(grid, count, at, path_limits, stage, path_segment)
+        time_at(segments, ends, path_segment, end - begins[path_segment], grid[TIME, count + 1 : count + 2])
+        count = _add(grid, count, end, path_limits, stage, path_segment)
         begin = end
     out.total[0] = count
 
 
-def _begin(stages: Array, counts: Array, begins: Array) -> None:
+def _begin(path_limits: Array, counts: Array, begins: Array) -> None:
     """Write the places at which pieces begin, and the end of the last one."""
     begins[0], stage, place = 0.0, 0, 0.0
-    for piece in range(counts.shape[0]):
-        for _ in range(int(counts[piece])):
-            place += stages[stage, 0]
+    for path_segment in range(counts.shape[0]):
+        for _ in range(int(counts[path_segment])):
+            place += path_limits[stage, 0]
             stage += 1
-        begins[piece + 1] = place
+        begins[path_segment + 1] = place
 
 
-def _add(bands: Array, count: int, end: float, stages: Array, stage: int, piece: int) -> int:
+def _add(grid: Array, count: int, end: float, path_limits: Array, stage: int, path_segment: int) -> int:
     """Write a band but for the time at its end; return the number of all."""
-    bands[PLACE, count + 1], bands[PIECE, count] = end, piece
+    grid[PLACE, count + 1], grid[PIECE, count] = end, path_segment
     for kind in range(3):
-        bands[FIRST_BOUND + kind, count] = stages[stage, 1 + kind]
+        grid[FIRST_BOUND + kind, count] = path_limits[stage, 1 + kind]
     return count + 1

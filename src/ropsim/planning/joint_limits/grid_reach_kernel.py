@@ -16,7 +16,7 @@ motions that turn back last 0.3 % longer in the mean, with less a line often tak
 
 @kernel
 def reach_of(
-    caps: Array2, count: int, places: Array2, borders: Array1, before: Array2, ticks: Array2, reach: Array2
+    imposed: Array2, count: int, places: Array2, borders: Array1, before: Array2, ticks: Array2, reach: Array2
 ) -> None:
     """Write the first and the last band in which each cap counts.
 
@@ -27,7 +27,7 @@ def reach_of(
     two ticks.
 
     Args:
-        caps: in columns kind, value, number of the tick, joint, quantity; of shape (5, h or more).
+        imposed: in columns kind, value, number of the tick, joint, quantity; of shape (5, h or more).
         count: of them, h.
         places: from which and up to which caps of a tick count, of b ticks, rising, shape (2, b).
         borders: places between which the bands lie, shape (c + 1,).
@@ -39,10 +39,10 @@ def reach_of(
     _bands_of_ticks(places, borders, ticks)
     _count_successive(places, ticks)
     for h in range(count):
-        k = int(caps[TICK, h])
+        k = int(imposed[TICK, h])
         first, last = int(ticks[0, k]), int(ticks[1, k])
-        if caps[KIND, h] == JERK and caps[QUANTITY, h] == JERK and max(ticks[2, k], ticks[3, k]) > 0.0:
-            longer = min(max(before[JERK, (first + last) // 2] / caps[VALUE, h] - 1.0, 0.0), MOST_LONGER)
+        if imposed[KIND, h] == JERK and imposed[QUANTITY, h] == JERK and max(ticks[2, k], ticks[3, k]) > 0.0:
+            longer = min(max(before[JERK, (first + last) // 2] / imposed[VALUE, h] - 1.0, 0.0), MOST_LONGER)
             way = places[1, k] - places[0, k]
             if ticks[2, k] > 0.0:
                 begin = places[0, k] - (1.0 + longer * ticks[2, k]) * way

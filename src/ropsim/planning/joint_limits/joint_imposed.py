@@ -59,7 +59,7 @@ class Walked:
     torque: Array | None
 
 
-def joint_caps(walked: Walked, arm: ArmBounds, period: float, used: float) -> JointImposedLimits:
+def joint_caps(evaluated: Walked, arm: ArmBounds, period: float, used: float) -> JointImposedLimits:
     """Return the joint-imposed limits along a path where joints are beyond their limits.
 
     With the path q(s), its speed v and acceleration a: q̈ = q″·v² + q′·a. The term with the greatest part in
@@ -69,19 +69,21 @@ def joint_caps(walked: Walked, arm: ArmBounds, period: float, used: float) -> Jo
     caused by the path, by speed and bend, or by the jerk along the path.
 
     Args:
-        walked: the path at ticks at which a limit is exceeded.
+        evaluated: the path at ticks at which a limit is exceeded.
         arm: limits of the joints.
         period: of the ticks [s].
         used: share of the limits that is aimed at, in ]0, 1].
     """
-    rows, count = np.empty((5, 5 * walked.q.size)), np.empty(1)
-    b, n = walked.q.shape
-    slopes = walked.d1.reshape(2 * b, n), walked.d2.reshape(2 * b, n)
-    path = AlongPath(walked.speeds.ravel(), walked.accelerations.ravel(), walked.jerks.ravel(), *slopes)
-    joints = OfJoints(walked.qd, walked.qdd, _loads(walked, arm))
+    rows, count = np.empty((5, 5 * evaluated.q.size)), np.empty(1)
+    b, n = evaluated.q.shape
+    slopes = evaluated.d1.reshape(2 * b, n), evaluated.d2.reshape(2 * b, n)
+    path = AlongPath(
+        evaluated.speeds.ravel(), evaluated.accelerations.ravel(), evaluated.jerks.ravel(), *slopes
+    )
+    joints = OfJoints(evaluated.qd, evaluated.qdd, _loads(evaluated, arm))
     limits = joint_limits(arm.joints, period)
     limits_imposed(path, joints, limits, period, used, 1.0 + ROUNDING, rows, count)
-    return JointImposedLimits(rows, int(count[0]), walked.places)
+    return JointImposedLimits(rows, int(count[0]), evaluated.places)
 
 
 @lru_cache(maxsize=16)
@@ -96,17 +98,17 @@ def joint_limits(joints: JointBounds, period: float) -> Array:
     return np.array([joints.speed, joints.acceleration, period * joints.jerk, effort])
 
 
-def _loads(walked: Walked, arm: ArmBounds) -> Array:
+def _loads(evaluated: Walked, arm: ArmBounds) -> Array:
     """Return torques, and their parts proportional to the square of the speed and to the acceleration.
 
     Returns:
         shape (3, b, n) [N m | N], or (3, 0, n) where torque does not count.
     """
-    if walked.torque is None or arm.effort is None or arm.joints.effort is None:
-        return np.empty((3, 0, walked.q.shape[1]))
-    nothing = np.zeros_like(walked.q)
-    held = torques(arm.effort, walked.q, _CREEP * walked.qd, nothing)
-    rest = torques(arm.effort, walked.q, nothing, nothing)
-    gone = walked.d1[1] * walked.accelerations[1, :, None]
-    along = torques(arm.effort, walked.q, nothing, gone) - rest
-    return np.array((walked.torque, walked.torque - held - along, along))
+    if evaluated.torque is None or arm.effort is None or arm.joints.effort is None:
+        return np.empty((3, 0, evaluated.q.shape[1]))
+    nothing = np.zeros_like(evaluated.q)
+    held = torques(arm.effort, evaluated.q, _CREEP * evaluated.qd, nothing)
+    rest = torques(arm.effort, evaluated.q, nothing, nothing)
+    gone = evaluated.d1[1] * evaluated.accelerations[1, :, None]
+    along = torques(arm.effort, evaluated.q, nothing, gone) - rest
+    return np.array((evaluated.torque, evaluated.torque - held - along, along))

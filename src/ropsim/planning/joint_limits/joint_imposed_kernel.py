@@ -61,7 +61,7 @@ def limits_imposed(
     period: float,
     used: float,
     allowed: float,
-    caps: Array2,
+    imposed: Array2,
     count: Array1,
 ) -> None:
     """Write the limits that joints impose along a path: of speed, acceleration, jerk, then torque.
@@ -77,14 +77,14 @@ def limits_imposed(
         period: of the ticks [s].
         used: share of the limits that is aimed at.
         allowed: what may be used of a limit, 1 and rounding.
-        caps: where they go: kind, value, number of the tick, joint, quantity, with room, shape (5, 5·b·n).
+        imposed: where they go: kind, value, number of the tick, joint, quantity, with room, shape (5, 5·b·n).
         count: becomes their number, shape (1 or more,).
     """
     speeds, accelerations, jerks, d1, d2 = path
     qd, qdd, loads = joints
     b = qd.shape[0]
-    last = _of_speed(speeds, qd, limits, used, allowed, caps)
-    room = caps.shape[1] - b * qd.shape[1]
+    last = _of_speed(speeds, qd, limits, used, allowed, imposed)
+    room = imposed.shape[1] - b * qd.shape[1]
     for quantity in range(ACCELERATION, TORQUE + 1):
         found = 0
         for k in range(loads.shape[1] if quantity == TORQUE else b):
@@ -125,20 +125,20 @@ def limits_imposed(
                     cap = max(abs(a0), abs(a), abs((v - v0) / period)) * share
                 else:
                     cap = jerk * share
-                _add(caps, room + found, kind, cap, k, j, quantity)
+                _add(imposed, room + found, kind, cap, k, j, quantity)
                 found += 1
-        last = _in_order(caps, room, found, last)
+        last = _in_order(imposed, room, found, last)
     count[0] = last
 
 
-def _of_speed(speeds: Array, qd: Array, limits: Array, used: float, allowed: float, caps: Array) -> int:
+def _of_speed(speeds: Array, qd: Array, limits: Array, used: float, allowed: float, imposed: Array) -> int:
     count = 0
     for k in range(qd.shape[0]):
         for j in range(qd.shape[1]):
             limit, speed = limits[SPEED, j], abs(qd[k, j])
             if speed > limit * allowed:
                 cap = speeds[qd.shape[0] + k] * max(used * limit / speed, MOST_AT_ONCE)
-                count = _add(caps, count, SPEED, cap, k, j, SPEED)
+                count = _add(imposed, count, SPEED, cap, k, j, SPEED)
     return count
 
 
@@ -169,19 +169,19 @@ def _excess(whole: float, own: float, aim: float) -> float:
     return max(whole - aim, 0.0) * (mine if mine < 1.0 - GREAT else 1.0)
 
 
-def _in_order(caps: Array, first: int, found: int, count: int) -> int:
+def _in_order(imposed: Array, first: int, found: int, count: int) -> int:
     """Write caps again, by their kinds, behind `count` others; return the number of all."""
     for kind in range(3):
         for h in range(first, first + found):
-            if caps[0, h] == kind:
-                for row in range(caps.shape[0]):
-                    caps[row, count] = caps[row, h]
+            if imposed[0, h] == kind:
+                for row in range(imposed.shape[0]):
+                    imposed[row, count] = imposed[row, h]
                 count += 1
     return count
 
 
-def _add(caps: Array, count: int, kind: int, value: float, row: int, joint: int, quantity: int) -> int:
+def _add(imposed: Array, count: int, kind: int, value: float, row: int, joint: int, quantity: int) -> int:
     """Write a cap; return the number of all."""
-    caps[0, count], caps[1, count], caps[2, count] = kind, value, row
-    caps[3, count], caps[4, count] = joint, quantity
+    imposed[0, count], imposed[1, count], imposed[2, count] = kind, value, row
+    imposed[3, count], imposed[4, count] = joint, quantity
     return count + 1

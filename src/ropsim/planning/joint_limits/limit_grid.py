@@ -79,20 +79,20 @@ class LimitGrid:
         Args:
             rules: time law and look-ahead.
         """
-        rows, counts, told = np.empty((len(self.owners), 6)), np.empty(len(self.legs)), np.empty(1)
-        stages_of(self.borders, self.bounds, self.owners, self.legs, rules.look_ahead, rows, counts, told)
-        rows = rows[: int(told[0])]
-        stages, law = PathLimits(rows[:, :4]), rules.law(rows, counts)
-        return Section(self.part.pieces, stages, counts.astype(np.intp), law, self.part.over)
+        rows, counts, result = np.empty((len(self.owners), 6)), np.empty(len(self.legs)), np.empty(1)
+        stages_of(self.borders, self.bounds, self.owners, self.legs, rules.look_ahead, rows, counts, result)
+        rows = rows[: int(result[0])]
+        path_limits, law = PathLimits(rows[:, :4]), rules.law(rows, counts)
+        return Section(self.part.pieces, path_limits, counts.astype(np.intp), law, self.part.over)
 
     def with_bounds(self, bounds: Array, causes: Array, share: float) -> "LimitGrid":
         """Return the same with other bounds and causes, of which a band has the least share of its rate."""
         fixed = self.part, self.begins, self.legs, self.borders, self.times, self.owners, self.planned
         return LimitGrid(*fixed, bounds, causes, share)
 
-    def cause(self, band: int) -> tuple[int, Quantity]:
+    def cause(self, cell: int) -> tuple[int, Quantity]:
         """Return the joint that has lowered a cell, and its binding quantity."""
-        joint, quantity = self.causes[:, band].tolist()
+        joint, quantity = self.causes[:, cell].tolist()
         return int(joint), _QUANTITIES[int(quantity)]
 
 
@@ -111,8 +111,13 @@ def limit_grid_of(part: Section, times: Array, start: float) -> LimitGrid:
     out = GridLines(np.empty(len(counts) + 1), np.empty((6, count + len(rows) + 1)), np.empty(1))
     section, work = SectionTimes(part.law.segments, part.law.ends, start), np.empty((5, count))
     lay_grid(section, times, np.ascontiguousarray(rows), counts, _SAME_PLACE, work[0], work[1:], out)
-    begins, bands = out.begins, out.cells
-    c, legs = int(out.total[0]), np.array([piece.leg for piece in part.pieces], dtype=np.float64)
-    borders, reached, owners = bands[PLACE, : c + 1], bands[TIME, : c + 1], bands[PIECE, :c]
-    bounds = bands[FIRST_BOUND:PIECE, :c].copy()
-    return LimitGrid(part, begins, legs, borders, reached, owners, bounds, bounds, np.full((2, c), -1.0), 1.0)
+    begins, grid = out.begins, out.cells
+    c, moves = (
+        int(out.total[0]),
+        np.array([path_segment.leg for path_segment in part.pieces], dtype=np.float64),
+    )
+    borders, reached, owners = grid[PLACE, : c + 1], grid[TIME, : c + 1], grid[PIECE, :c]
+    bounds = grid[FIRST_BOUND:PIECE, :c].copy()
+    return LimitGrid(
+        part, begins, moves, borders, reached, owners, bounds, bounds, np.full((2, c), -1.0), 1.0
+    )

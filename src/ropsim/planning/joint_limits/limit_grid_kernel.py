@@ -74,27 +74,27 @@ def lower_bounds(
     borders, planned, before = grid
     bounds, causes = out.bounds, out.causes
     for kind in range(bounds.shape[0]):
-        for band in range(bounds.shape[1]):
-            bounds[kind, band] = before[kind, band]
+        for cell in range(bounds.shape[1]):
+            bounds[kind, cell] = before[kind, cell]
     reach_of(caps, count, places, borders, before, ticks, reach)
     for h in range(count):
         kind, value = int(caps[KIND, h]), caps[VALUE, h]
-        for band in range(int(reach[0, h]), int(reach[1, h]) + 1):
-            bounds[kind, band] = min(bounds[kind, band], value)
+        for cell in range(int(reach[0, h]), int(reach[1, h]) + 1):
+            bounds[kind, cell] = min(bounds[kind, cell], value)
     for h in range(count):
         kind, value = int(caps[KIND, h]), caps[VALUE, h]
-        for band in range(int(reach[0, h]), int(reach[1, h]) + 1):
-            if value == bounds[kind, band] and value < before[kind, band]:
-                causes[0, band], causes[1, band] = caps[JOINT, h], caps[QUANTITY, h]
+        for cell in range(int(reach[0, h]), int(reach[1, h]) + 1):
+            if value == bounds[kind, cell] and value < before[kind, cell]:
+                causes[0, cell], causes[1, cell] = caps[JOINT, h], caps[QUANTITY, h]
     for kind in range(bounds.shape[0]):
         step = FIRST_STEP if kind == 0 else SECOND_STEP if kind == 1 else THIRD_STEP
         known, left = 1.0, 1.0  # neighbours are often the same
-        for band in range(bounds.shape[1]):
-            if bounds[kind, band] < before[kind, band]:
-                share = bounds[kind, band] / planned[kind, band]
+        for cell in range(bounds.shape[1]):
+            if bounds[kind, cell] < before[kind, cell]:
+                share = bounds[kind, cell] / planned[kind, cell]
                 if share != known:
                     known, left = share, exp(floor(log(share) / step) * step)
-                bounds[kind, band] = planned[kind, band] * left
+                bounds[kind, cell] = planned[kind, cell] * left
     out.share[0] = _least_share(planned, bounds)
 
 
@@ -103,11 +103,11 @@ def stages_of(
     borders: Array1,
     bounds: Array2,
     owners: Array1,
-    legs: Array1,
+    moves: Array1,
     look_ahead: int,
-    stages: Array2,
+    path_limits: Array2,
     counts: Array1,
-    told: Array1,
+    result: Array1,
 ) -> None:
     """Write the stages of bands: neighbours on one piece with the same bounds are one.
 
@@ -115,45 +115,45 @@ def stages_of(
         borders: places between which the bands lie, shape (c + 1,).
         bounds: of speed, acceleration and jerk, shape (3, c).
         owners: number of the piece that a band lies on, rising, shape (c,).
-        legs: number of the move of each piece, rising, shape (p,).
+        moves: number of the move of each piece, rising, shape (p,).
         look_ahead: how many moves beyond the present one are known.
-        stages: where they go, see `plan_stages`, shape (c, 6).
+        path_limits: where they go, see `plan_stages`, shape (c, 6).
         counts: where the number of stages of each piece goes, shape (p,).
-        told: where the number of all goes, shape (1,).
+        result: where the number of all goes, shape (1,).
     """
     count, last = 0, bounds.shape[1] - 1
     begin = borders[0]
-    for piece in range(counts.shape[0]):
-        counts[piece] = 0.0
-    for band in range(last + 1):
+    for path_segment in range(counts.shape[0]):
+        counts[path_segment] = 0.0
+    for cell in range(last + 1):
         if (
-            band < last
-            and owners[band] == owners[band + 1]
-            and bounds[0, band] == bounds[0, band + 1]
-            and bounds[1, band] == bounds[1, band + 1]
-            and bounds[2, band] == bounds[2, band + 1]
+            cell < last
+            and owners[cell] == owners[cell + 1]
+            and bounds[0, cell] == bounds[0, cell + 1]
+            and bounds[1, cell] == bounds[1, cell + 1]
+            and bounds[2, cell] == bounds[2, cell + 1]
         ):
             continue
-        stages[count, 0] = borders[band + 1] - begin
+        path_limits[count, 0] = borders[cell + 1] - begin
         for kind in range(3):
-            stages[count, 1 + kind] = bounds[kind, band]
-        counts[int(owners[band])] += 1.0
-        begin = borders[band + 1]
+            path_limits[count, 1 + kind] = bounds[kind, cell]
+        counts[int(owners[cell])] += 1.0
+        begin = borders[cell + 1]
         count += 1
-    lay_horizons(legs, counts, look_ahead, stages[:count])
-    told[0] = count
+    lay_horizons(moves, counts, look_ahead, path_limits[:count])
+    result[0] = count
 
 
 def _least_share(planned: Array, bounds: Array) -> float:
     """Return the least share of its planned rate that a band is left, in ]0, 1]."""
     least, last = inf, bounds.shape[1] - 1
     for kind in range(bounds.shape[0]):
-        left, band = inf, 0
-        while band <= last:
-            bound, plan = bounds[kind, band], planned[kind, band]
+        left, cell = inf, 0
+        while cell <= last:
+            bound, plan = bounds[kind, cell], planned[kind, cell]
             left = min(left, bound / plan)
-            band += 1
-            while band <= last and bounds[kind, band] == bound and planned[kind, band] == plan:
-                band += 1  # neighbours are often the same
+            cell += 1
+            while cell <= last and bounds[kind, cell] == bound and planned[kind, cell] == plan:
+                cell += 1  # neighbours are often the same
         least = min(least, left if kind == 0 else sqrt(left) if kind == 1 else np.cbrt(left))
     return least

@@ -59,20 +59,20 @@ class Retiming:
         return (float("inf"),) * len(ends)
 
 
-def retimed(course: Timing, arm: ArmBounds, ticks: Ticks, rules: TimingRules) -> Retiming:
+def retimed(timing: Timing, arm: ArmBounds, ticks: Ticks, rules: TimingRules) -> Retiming:
     """Return the motion on the course of a sequence.
 
     Time laws with lower bounds lose least where joints lack little. Where they lack much, motion time that
     goes slower there may do it in less; the quicker one counts.
 
     Args:
-        course: as the bounds of its parts alone would have it.
+        timing: as the bounds of its parts alone would have it.
         arm: limits of the joints.
         ticks: of control.
         rules: time law and look-ahead.
     """
-    first = _first_look(course, ticks)
-    planned = as_bounds_allow(Trajectory.on(course), replace(arm, effort=None), first)
+    first = _first_look(timing, ticks)
+    planned = as_bounds_allow(Trajectory.on(timing), replace(arm, effort=None), first)
     fit = fitted(planned, arm, ticks, rules)
     quick = _keeping(fit, arm, ticks)
     if fit.motion is planned.motion or quick.duration <= _LONGER * planned.course.duration:
@@ -81,7 +81,7 @@ def retimed(course: Timing, arm: ArmBounds, ticks: Ticks, rules: TimingRules) ->
 
 
 def _keeping(fit: EvaluatedTrajectory, arm: ArmBounds, ticks: Ticks) -> Retiming:
-    is_led = any(run.part.leads_tool for run in fit.course.runs)
+    is_led = any(section.part.leads_tool for section in fit.course.runs)
     is_heavy = fit.reference.strain.used[_TORQUE].max() > 1.0
     spacing = _NARROW_SPACING if is_led or is_heavy else _SPACING
     kept = kept_from(fit.reference, fit.motion, arm.joints, arm.effort, ticks, spacing)
@@ -90,8 +90,8 @@ def _keeping(fit: EvaluatedTrajectory, arm: ArmBounds, ticks: Ticks) -> Retiming
     )
 
 
-def _first_look(course: Timing, ticks: Ticks) -> Ticks:
+def _first_look(timing: Timing, ticks: Ticks) -> Ticks:
     """Return the ticks at which a motion is evaluated first, a few control ticks apart."""
     many = math.floor(_FIRST_LOOK / ticks.period * (1.0 + ROUNDING))
-    is_long = course.duration >= _FEWEST_LOOKS * many * ticks.period
+    is_long = timing.duration >= _FEWEST_LOOKS * many * ticks.period
     return Ticks(many * ticks.period) if many > 1 and is_long else ticks

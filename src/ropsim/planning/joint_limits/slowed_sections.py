@@ -10,7 +10,7 @@ from ropsim.planning.joint_limits.slowed_sections_kernel import GridNumbers, slo
 from ropsim.planning.trajectory.timing import Timing
 
 
-def slowed_in(planned: Timing, course: Timing, bands: Mapping[int, LimitGrid]) -> tuple[Slowed, ...]:
+def slowed_in(planned: Timing, timing: Timing, bands: Mapping[int, LimitGrid]) -> tuple[Slowed, ...]:
     """Return the ways between two places that are slower, in order of time.
 
     The loss of speed counts as a share of the greatest speed on the part, so that a start that is somewhat
@@ -18,18 +18,18 @@ def slowed_in(planned: Timing, course: Timing, bands: Mapping[int, LimitGrid]) -
 
     Args:
         planned: the course as its limits alone would have it.
-        course: that joints can follow.
+        timing: that joints can follow.
         bands: of its runs by their numbers, with the causes.
     """
     slowed: list[Slowed] = []
     for number, own in sorted(bands.items()):
         if own.bounds is own.planned:
             continue
-        run, count, law = course.runs[number], len(own.owners), planned.runs[number].law
+        section, count, law = timing.runs[number], len(own.owners), planned.runs[number].law
         work, spans, total = np.empty((4, 2 * count)), np.empty((4, count)), np.empty(1)
         borders, bounds = (own.borders, own.times, own.owners, own.begins), (own.planned, own.bounds)
         grid, most = GridNumbers(*borders, *bounds, own.causes), float(law.speeds.max())
-        slowed_spans(grid, run.law.segments, run.law.ends, most, work, spans, total)
-        for start, stop, share, band in spans[:, : int(total[0])].T.tolist():
-            slowed.append(Slowed(run.start + start, run.start + stop, share, *own.cause(int(band))))
+        slowed_spans(grid, section.law.segments, section.law.ends, most, work, spans, total)
+        for start, stop, share, cell in spans[:, : int(total[0])].T.tolist():
+            slowed.append(Slowed(section.start + start, section.start + stop, share, *own.cause(int(cell))))
     return tuple(slowed)

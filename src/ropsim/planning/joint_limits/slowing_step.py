@@ -30,7 +30,7 @@ class Aim:
 
 
 def slower_run(
-    motion: Trajectory, reference: Reference, number: int, bands: LimitGrid, ticks: Array, aim: Aim
+    motion: Trajectory, reference: Reference, number: int, grid: LimitGrid, ticks: Array, aim: Aim
 ) -> tuple[LimitGrid, Section]:
     """Return the bands of a run as caps at ticks bring them down, and its part with them.
 
@@ -38,12 +38,12 @@ def slower_run(
         motion: of the stretch.
         reference: of it, at the evaluated ticks.
         number: of the run.
-        bands: of it.
+        grid: of it.
         ticks: at which a limit is exceeded, none of them 0, shape (b,).
         aim: of the step.
     """
-    walked = _walked(motion, reference, number, bands.begins, ticks)
-    lower = bands.lowered(joint_caps(walked, aim.arm, aim.period, aim.used))
+    evaluated = _walked(motion, reference, number, grid.begins, ticks)
+    lower = grid.lowered(joint_caps(evaluated, aim.arm, aim.period, aim.used))
     return lower, lower.replanned(aim.rules)
 
 

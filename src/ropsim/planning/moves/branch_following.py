@@ -65,16 +65,16 @@ class BranchFollower:
             held: coordinates of the axes of which only the external ones count, shape (n,) if they stand, or
                 (k, n) with a row for each pose.
         """
-        q, told, arm = np.empty((len(matrices), len(q_start))), np.zeros(2), _wrist_arm(self.robot)
+        q, result, arm = np.empty((len(matrices), len(q_start))), np.zeros(2), _wrist_arm(self.robot)
         if arm is not None:
             rows, room = np.empty((1, 8, 6)), np.empty(ROOM_OF_ROWS)
-            follow_wrist(arm, self.axes, CLOSE, LIMIT_SLACK, matrices, q_start, q, rows, room, told)
-            if told[0]:
-                return Follow(q, within=bool(told[1]))
+            follow_wrist(arm, self.axes, CLOSE, LIMIT_SLACK, matrices, q_start, q, rows, room, result)
+            if result[0]:
+                return Follow(q, within=bool(result[1]))
         branches = np.ascontiguousarray(inverse_batch(self.robot, matrices, held))
-        follow_row(branches, q_start, self.axes, CLOSE, LIMIT_SLACK, q, told)
-        if told[0]:
-            return Follow(q, within=bool(told[1]))
+        follow_row(branches, q_start, self.axes, CLOSE, LIMIT_SLACK, q, result)
+        if result[0]:
+            return Follow(q, within=bool(result[1]))
         return self._follow_poses(matrices, branches, q_start, held)
 
     def follow_numerically(self, matrices: Array, q_start: Array, held: Array) -> Follow:
@@ -121,9 +121,9 @@ class BranchFollower:
 
     def _nearest(self, candidates: Array, q: Array) -> Array:
         """Return the branch nearest to `q`, turned by whole turns towards it; NaN where there is none."""
-        told = np.empty(1)
-        nearest_branch(np.ascontiguousarray(candidates), q, self.axes[2], told)
-        return self._turned(candidates[int(told[0])], q)
+        result = np.empty(1)
+        nearest_branch(np.ascontiguousarray(candidates), q, self.axes[2], result)
+        return self._turned(candidates[int(result[0])], q)
 
     def _with_external(self, q: Array, held: Array) -> Array:
         """Return joint coordinates with the external axes where they are held, shape (n,) each."""

@@ -13,7 +13,7 @@ TURN = 2.0 * pi
 
 @kernel
 def follow_row(
-    branches: Array3, q_start: Array1, axes: Array2, close: float, slack: float, q: Array2, told: Array1
+    branches: Array3, q_start: Array1, axes: Array2, close: float, slack: float, q: Array2, result: Array1
 ) -> None:
     """Write the coordinates of the branch that is nearest to the start, without jumps by whole turns.
 
@@ -24,14 +24,14 @@ def follow_row(
         close: greatest step between two poses [rad | m].
         slack: by which a coordinate may be beyond its limit [rad | m].
         q: where the coordinates go, shape (k, n).
-        told: set to 1 if all steps are small enough, else 0, and 1 where no coordinate is beyond its limit,
+        result: set to 1 if all steps are small enough, else 0, and 1 where no coordinate is beyond its limit,
             else 0, shape (2,).
     """
     row = _nearest(branches[0], q_start, axes[2])
     for k in range(branches.shape[0]):
         for j in range(branches.shape[2]):
             q[k, j] = branches[k, row, j]
-    unwind(q, q_start, axes, close, slack, told)
+    unwind(q, q_start, axes, close, slack, result)
 
 
 @kernel
@@ -44,8 +44,8 @@ def follow_wrist(
     q_start: Array1,
     q: Array2,
     rows: Array3,
-    room: Array1,
-    told: Array1,
+    work: Array1,
+    result: Array1,
 ) -> None:
     """Write the result of `follow_row` for an arm with spherical wrist, of which only one branch is solved.
 
@@ -58,19 +58,19 @@ def follow_wrist(
         q_start: as there.
         q: where the coordinates go [rad | m], shape (k, 6).
         rows: room for branches, shape (1, 8 or more, 6).
-        room: to work in, shape (ROOM_OF_ROWS,) or more.
-        told: as there, shape (2,) or more.
+        work: to work in, shape (ROOM_OF_ROWS,) or more.
+        result: as there, shape (2,) or more.
     """
     for j in range(6):
-        room[j] = 0.0
-    inverse_rows(arm, room, T[:1], rows)
-    nearest_branch(rows[0, :8], q_start, axes[2], told)
-    inverse_branch(arm, room, T, int(told[0]), q)
-    unwind(q, q_start, axes, close, slack, told)
+        work[j] = 0.0
+    inverse_rows(arm, work, T[:1], rows)
+    nearest_branch(rows[0, :8], q_start, axes[2], result)
+    inverse_branch(arm, work, T, int(result[0]), q)
+    unwind(q, q_start, axes, close, slack, result)
 
 
 @kernel
-def unwind(q: Array2, q_start: Array1, axes: Array2, close: float, slack: float, told: Array1) -> None:
+def unwind(q: Array2, q_start: Array1, axes: Array2, close: float, slack: float, result: Array1) -> None:
     """Turn coordinates by whole turns so that they continue the start.
 
     Args:
@@ -79,36 +79,36 @@ def unwind(q: Array2, q_start: Array1, axes: Array2, close: float, slack: float,
         axes: see there.
         close: see there.
         slack: see there.
-        told: see there.
+        result: see there.
     """
     lower, upper, revolute = axes[0], axes[1], axes[2]
-    told[0], told[1] = 1.0, 1.0
+    result[0], result[1] = 1.0, 1.0
     for j in range(q.shape[1]):
         before, gone = q_start[j], 0.0
         for k in range(q.shape[0]):
             now = q[k, j]
             step = _turned(now - before, revolute[j])
             if not abs(step) <= close:
-                told[0] = 0.0
+                result[0] = 0.0
                 return
             gone = step if k == 0 else gone + step
             there = now + revolute[j] * (TURN * np.rint((q_start[j] + gone - now) / TURN))
             if max(lower[j] - there, there - upper[j]) > slack:
-                told[1] = 0.0
+                result[1] = 0.0
             q[k, j], before = there, now
 
 
 @kernel
-def nearest_branch(branches: Array2, q: Array1, revolute: Array1, told: Array1) -> None:
+def nearest_branch(branches: Array2, q: Array1, revolute: Array1, result: Array1) -> None:
     """Write the number of the branch whose largest difference to `q` is the least, whole turns aside.
 
     Args:
         branches: NaN where absent [rad | m], shape (m, n).
         q: joint coordinates [rad | m], shape (n,).
         revolute: 1 for joints that turn, else 0, shape (n,).
-        told: output for the number, shape (1,).
+        result: output for the number, shape (1,).
     """
-    told[0] = _nearest(branches, q, revolute)
+    result[0] = _nearest(branches, q, revolute)
 
 
 def _nearest(branches: Array, q: Array, revolute: Array) -> int:

@@ -27,19 +27,21 @@ class StandardInterpolator:
     way: float = 0.01
     turn: float = math.radians(2.0)
 
-    def sample(self, path: ToolPath, density: int) -> PoseSetpoints:
+    def sample(self, path: ToolPath, sampling: int) -> PoseSetpoints:
         """Return the poses of the tool, from the start of the path to its end.
 
         Args:
             path: of the tool.
-            density: how many times more samples than at first.
+            sampling: how many times more samples than at first.
         """
-        return PoseSetpoints(path.length, path.tool(places(path.length, density * self.steps(path))).matrices)
+        return PoseSetpoints(
+            path.length, path.tool(places(path.length, sampling * self.steps(path))).matrices
+        )
 
     def steps(self, path: ToolPath) -> int:
         """Return how many steps a path has at first."""
-        looks = path.tool(places(path.length, LOOKS)).d1  # (5, 6)
-        squares = np.add.reduce((looks * looks).reshape(-1, 2, 3), axis=2)
+        samples = path.tool(places(path.length, LOOKS)).d1  # (5, 6)
+        squares = np.add.reduce((samples * samples).reshape(-1, 2, 3), axis=2)
         way, turn = (np.sqrt(np.maximum.reduce(squares, axis=0)) * path.length).tolist()
         return max(FEWEST, math.ceil(float(way) / self.way), math.ceil(float(turn) / self.turn))
 

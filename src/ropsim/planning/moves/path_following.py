@@ -45,19 +45,19 @@ def follow_path(
     found = _traced(chain, path, q_start, move, coordination)
     if isinstance(found, Refusal):
         return found
-    joints, samples, rough = found
-    if rough is None or not rough.max() > SMOOTH:
+    joints, samples, error = found
+    if error is None or not error.max() > SMOOTH:
         return joints, samples.findings
     step = samples.length / (len(samples.q) - 1)
     begins, parts = [], []
-    for first, last in rough_parts(rough > SMOOTH):
+    for first, last in rough_parts(error > SMOOTH):
         section = ToolSection(path, first * step, last * step)
         along = coordination.part(first * step, last * step) if coordination else None
         again = _traced(chain, section, samples.q[first], move, along)
         if isinstance(again, Refusal) or not joins(joints, first * step, again[0], step, SMOOTH):
             continue
         left = again[2]
-        if left is not None and left.max() <= max(SMOOTH, _BETTER * rough[first // 2 : last // 2].max()):
+        if left is not None and left.max() <= max(SMOOTH, _BETTER * error[first // 2 : last // 2].max()):
             begins.append(first * step)
             parts.append(again[0])
     return (Refined(joints, np.array(begins), tuple(parts)) if parts else joints), samples.findings
@@ -71,38 +71,38 @@ def _traced(
     coordination: Coordination | None,
 ) -> tuple[JointPath, JointSamples, Array | None] | Refusal:
     """Return the path of the joints through samples as dense as they must be, these, and its roughness."""
-    density = 1
+    sampling = 1
     while True:
-        setpoints = _setpoints(chain, path, move, density)
+        setpoints = _setpoints(chain, path, move, sampling)
         if isinstance(setpoints, Refusal):
             return setpoints
         if coordination:
             coarseness = coordination.coarseness(len(setpoints.matrices) - 1)
-            if coarseness > 1.0 and density < MOST_DENSITY:
-                density = min(MOST_DENSITY, density * 2 ** math.ceil(math.log2(coarseness)))
+            if coarseness > 1.0 and sampling < MOST_DENSITY:
+                sampling = min(MOST_DENSITY, sampling * 2 ** math.ceil(math.log2(coarseness)))
                 continue
             setpoints = coordination.in_base(setpoints)
         samples = _samples(chain, setpoints, q_start, move)
         if isinstance(samples, Refusal):
-            if density == MOST_DENSITY or samples.diagnostics[0].code != JUMP_ON_LINE.code:
+            if sampling == MOST_DENSITY or samples.diagnostics[0].code != JUMP_ON_LINE.code:
                 return samples
         else:
             refined = _refined(chain.joint_interpolator, samples, q_start, move)
             if isinstance(refined, Refusal):
                 return refined
-            joints, rough = refined
-            if density == MOST_DENSITY or (rough is not None and not rough.max() > SMOOTH):
-                return joints, samples, rough
-            density = denser(density, None if rough is None else float(rough.max()))
+            joints, error = refined
+            if sampling == MOST_DENSITY or (error is not None and not error.max() > SMOOTH):
+                return joints, samples, error
+            sampling = denser(sampling, None if error is None else float(error.max()))
             continue
-        density = min(2 * density, MOST_DENSITY)
+        sampling = min(2 * sampling, MOST_DENSITY)
 
 
 def _setpoints(
-    chain: MotionChain, path: ToolPath, move: MoveInstruction, density: int
+    chain: MotionChain, path: ToolPath, move: MoveInstruction, sampling: int
 ) -> PoseSetpoints | Refusal:
     interpolator = chain.interpolator
-    setpoints = guarded(interpolator, lambda: interpolator.sample(path, density), (PoseSetpoints,), move)
+    setpoints = guarded(interpolator, lambda: interpolator.sample(path, sampling), (PoseSetpoints,), move)
     if isinstance(setpoints, Refusal):
         return setpoints
     return unusable_setpoints(interpolator, setpoints, path, move) or setpoints
@@ -123,9 +123,9 @@ def _refined(
 ) -> tuple[JointPath, Array | None] | Refusal:
     """Return the path through samples, and its roughness."""
     if type(entity) is StandardJointInterpolator:  # one of a user, derived from it or not, makes its own path
-        told = entity.refine_with_roughness(samples)
-        if told[1] is not None:
-            return told
+        result = entity.refine_with_roughness(samples)
+        if result[1] is not None:
+            return result
     joints = guarded(entity, partial(entity.refine, samples), (object,), move)
     if isinstance(joints, Refusal):
         return joints

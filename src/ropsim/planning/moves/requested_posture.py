@@ -76,7 +76,7 @@ def _possible_instead(
     def distance(row: int) -> tuple[int, int, float]:
         missing = set(request.words) - set(postures[row].words)
         turns = zip(_turns(robot, q[row]), request.turns, strict=False)
-        apart = sum(abs(here - asked) for here, asked in turns)
+        apart = sum(abs(here - requested) for here, requested in turns)
         return len(missing), apart, float(np.abs(q[row] - q_start).sum())
 
     rows = sorted(np.flatnonzero(limits.inside(q)).tolist(), key=distance)
@@ -117,7 +117,7 @@ def other_posture(move: MoveInstruction, robot: RobotModel, q_end: Array) -> tup
 def has_requested_posture(robot: RobotModel, q: Array, request: PostureRequest) -> bool:
     """Return whether joint coordinates [rad | m], shape (n,), have a posture and turns as requested."""
     return _has_words(posture(robot, q), request) and all(
-        here == asked for here, asked in zip(_turns(robot, q), request.turns, strict=False)
+        here == requested for here, requested in zip(_turns(robot, q), request.turns, strict=False)
     )
 
 

@@ -51,7 +51,7 @@ class DerivativeBounds:
         return self.table[ACROSS : ACROSS + 2]
 
 
-def derivative_bounds_of(look: Look, grid: Array, limits: JointMotionLimits) -> DerivativeBounds:
+def derivative_bounds_of(sample: Look, grid: Array, limits: JointMotionLimits) -> DerivativeBounds:
     """Return bounds that are close where the bend counts.
 
     Cells end at evaluated path parameters. A third derivative differs from its mean in a cell, given by the
@@ -61,7 +61,7 @@ def derivative_bounds_of(look: Look, grid: Array, limits: JointMotionLimits) -> 
     halved.
 
     Args:
-        look: returns the derivatives.
+        sample: returns the derivatives.
         grid: places from start to end, two or more, that are evaluated first; between them the path is
             smooth; shape (m,).
         limits: of the parts, each of shape (p,).
@@ -69,14 +69,14 @@ def derivative_bounds_of(look: Look, grid: Array, limits: JointMotionLimits) -> 
     s = np.ascontiguousarray(grid, dtype=np.float64)
     while len(s) < _FEWEST:
         s = np.insert(s, np.arange(1, len(s)), 0.5 * (s[:-1] + s[1:]))
-    d1, d2 = look(s)
+    d1, d2 = sample(s)
     rates = np.array((limits.speed, limits.acceleration, limits.jerk))
     for _ in range(_ROUNDS):
         found, cells = _bounds(s, d1, d2, rates)
         if len(cells) == 0:
             return found
         middles = 0.5 * (s[cells] + s[cells + 1])
-        between = look(middles)
+        between = sample(middles)
         s = np.insert(s, cells + 1, middles)
         d1, d2 = (
             np.insert(rows, cells + 1, more, axis=0) for rows, more in zip((d1, d2), between, strict=True)

@@ -37,7 +37,7 @@ def bounds_of(
     d2: Array3,
     limits: Array2,
     units: Array1,
-    room: Array2,
+    work: Array2,
     bounds: Array3,
     speeds: Array1,
     loose: Array1,
@@ -50,7 +50,7 @@ def bounds_of(
         d2: second ones.
         limits: of speed, acceleration and jerk of the parts, shape (3, p).
         units: become 1 for parts whose first derivative has the size 1 at all places, else 0, shape (p,).
-        room: to work in, shape (k, c + `SIZES`).
+        work: to work in, shape (k, c + `SIZES`).
         bounds: where they go, rows as above, shape (10, k, p).
         speeds: where the highest speeds go at which bends take no more than their share, shape (k,).
         loose: set to 1 where a bound costs speed that the evaluated values do not, else 0, shape (k,).
@@ -64,23 +64,23 @@ def bounds_of(
                 for i in range(last + 1):
                     bounds[row, i, part] = 0.0
             continue
-        _write_thirds(s, d2, part, room)
+        _write_thirds(s, d2, part, work)
         unit = units[part]
         d1_here, d2_here = _size(d1[0, part]), _size(d2[0, part])
         for i in range(last + 1):
-            h, steep = s[i + 1] - s[i], room[i, size + SLOPE]
+            h, steep = s[i + 1] - s[i], work[i, size + SLOPE]
             before, behind = max(i - 1, 0), min(i, last - 1)
-            one, other = room[before, size + CHANGE], room[behind, size + CHANGE]
+            one, other = work[before, size + CHANGE], work[behind, size + CHANGE]
             off = 0.25 * h * _greater(one, other)
             third = steep + h * _greater(one / _span(s, before), other / _span(s, behind))
             if i <= last - 2:
-                third = _greater(third, room[i + 1, size + START])
+                third = _greater(third, work[i + 1, size + START])
             if i >= 2:
-                third = _greater(third, room[i - 2, size + END])
+                third = _greater(third, work[i - 2, size + END])
             if i == last - 1:
-                third = _greater(third, room[last, size + SLOPE])
+                third = _greater(third, work[last, size + SLOPE])
             if i == 1:
-                third = _greater(third, room[0, size + SLOPE])
+                third = _greater(third, work[0, size + SLOPE])
             d1_there, d2_there = _size(d1[i + 1, part]), _size(d2[i + 1, part])
             high, low = _greater(d2_here, d2_there), _lesser(d2_here, d2_there)
             first = _greater(d1_here, d1_there)
@@ -139,36 +139,36 @@ def _span(s: Array, i: int) -> float:
     return float((s[i + 1] - s[i]) + (s[i + 2] - s[i + 1]))
 
 
-def _write_thirds(s: Array, d2: Array, part: int, room: Array) -> None:
+def _write_thirds(s: Array, d2: Array, part: int, work: Array) -> None:
     """Write sizes of third derivatives, by the second ones at the ends of a cell and of the next one.
 
     Args:
         s: places.
         d2: second derivatives.
         part: of the path.
-        room: of each cell the mean third derivative, and behind its coordinates the four sizes as above.
+        work: of each cell the mean third derivative, and behind its coordinates the four sizes as above.
     """
     last, size = s.shape[0] - 2, d2.shape[2]
     for i in range(last + 1):
         h, total = s[i + 1] - s[i], 0.0
         for c in range(size):
             value = (d2[i + 1, part, c] - d2[i, part, c]) / h
-            room[i, c] = value
+            work[i, c] = value
             total += value * value
-        room[i, size + SLOPE] = sqrt(total)
+        work[i, size + SLOPE] = sqrt(total)
     for i in range(last):
         h, k = s[i + 1] - s[i], s[i + 2] - s[i + 1]
         by_h, by_k = h / (h + k), k / (h + k)
         change = start = end_size = 0.0
         for c in range(size):
-            value, behind = room[i, c], room[i + 1, c]
+            value, behind = work[i, c], work[i + 1, c]
             grown = behind - value
             at_start, at_end = value - grown * by_h, behind + grown * by_k
             change += grown * grown
             start += at_start * at_start
             end_size += at_end * at_end
-        room[i, size + CHANGE] = sqrt(change)
-        room[i, size + START], room[i, size + END] = sqrt(start), sqrt(end_size)
+        work[i, size + CHANGE] = sqrt(change)
+        work[i, size + START], work[i, size + END] = sqrt(start), sqrt(end_size)
 
 
 def _split(

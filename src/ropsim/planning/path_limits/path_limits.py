@@ -83,19 +83,23 @@ def tool_path_limit_choices(
     if float((d2 * path.length).max()) <= _STRAIGHT * float(d1.max()):
         return (_straight(path.length, d1, both),)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # of a point in which it turns back
-        bends = derivative_bounds_of(look, grid(path), both)
-    return _choices(_bent(bends, both, shares[0]), lambda share: _bent(bends, both, share), shares[1:])
+        derivative_bounds = derivative_bounds_of(look, grid(path), both)
+    return _choices(
+        _bent(derivative_bounds, both, shares[0]),
+        lambda share: _bent(derivative_bounds, both, share),
+        shares[1:],
+    )
 
 
 def _choices(
-    first: PathLimits, walked: Callable[[float], PathLimits], shares: Sequence[float]
+    first: PathLimits, evaluated: Callable[[float], PathLimits], shares: Sequence[float]
 ) -> tuple[PathLimits, ...]:
     """Return the first choice, and those at lesser shares where these differ."""
     if len(first) > 1:  # a bend that changes: the reserve for changes of speed is used up where it changes
         return (first,)
     found = [first]
     for share in shares:
-        other = walked(share)
+        other = evaluated(share)
         if not any(np.array_equal(other.rows, one.rows) for one in found):
             found.append(other)
     return tuple(found)
@@ -115,24 +119,24 @@ def lesser_limits(one: ToolLimits, other: ToolLimits) -> ToolLimits:
     return one if one is other or one == other else ToolLimits(*map(min, one.all, other.all))
 
 
-def along_with(stages: PathLimits, coordination: Coordination | None) -> PathLimits:
+def along_with(path_limits: PathLimits, coordination: Coordination | None) -> PathLimits:
     """Return the bounds along a path of the tool with external axes, including their bounds.
 
     Args:
-        stages: of the path.
+        path_limits: of the path.
         coordination: the axes; None where they stand.
     """
     if coordination is None:
-        return stages
+        return path_limits
     axes = joint_path_limits(coordination.axes, coordination.limits)
-    ways = [each.ends for each in (stages, axes)]
+    ways = [each.ends for each in (path_limits, axes)]
     length = float(ways[0][-1])
     ends = np.unique(np.concatenate((ways[0][:-1], ways[1][:-1])))
     near = _SAME_PLACE * length
     ends = ends[(np.diff(ends, prepend=0.0) > near) & (ends < length - near)]
     middles = 0.5 * (np.append(0.0, ends) + np.append(ends, length))
     here, there = (np.minimum(np.searchsorted(way, middles), len(way) - 1) for way in ways)
-    least = np.minimum(stages.bounds[here], axes.bounds[there])
+    least = np.minimum(path_limits.bounds[here], axes.bounds[there])
     return PathLimits(np.column_stack((np.diff(ends, prepend=0.0, append=length), least)))
 
 
@@ -161,9 +165,18 @@ def _straight(length: float, d1: Array, limits: JointMotionLimits) -> PathLimits
     return PathLimits(row)
 
 
-def _bent(bends: DerivativeBounds, limits: JointMotionLimits, share: float) -> PathLimits:
+def _bent(derivative_bounds: DerivativeBounds, limits: JointMotionLimits, share: float) -> PathLimits:
     """Return bounds that hold together on a bent path, bends traversed at a share of their allowed speed."""
-    rates, k = np.array((limits.speed, limits.acceleration, limits.jerk)), len(bends.lengths)
-    out, told = np.empty((k, 7)), np.empty(1)
-    bent_stages(bends.table, bends.lengths, rates, share, np.empty(k), np.empty((k, 3)), out, told)
-    return PathLimits(out[: int(told[0]), :4].copy())
+    rates, k = np.array((limits.speed, limits.acceleration, limits.jerk)), len(derivative_bounds.lengths)
+    out, result = np.empty((k, 7)), np.empty(1)
+    bent_stages(
+        derivative_bounds.table,
+        derivative_bounds.lengths,
+        rates,
+        share,
+        np.empty(k),
+        np.empty((k, 3)),
+        out,
+        result,
+    )
+    return PathLimits(out[: int(result[0]), :4].copy())

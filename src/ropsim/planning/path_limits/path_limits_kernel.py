@@ -26,7 +26,7 @@ def bent_stages(
     speeds: Array1,
     cells: Array2,
     out: Array2,
-    told: Array1,
+    result: Array1,
 ) -> None:
     """Write the stages along a bent path of k cells.
 
@@ -42,7 +42,7 @@ def bent_stages(
         cells: room to work in, shape (k, 3).
         out: where length, speed, acceleration and jerk go, and the greatest of the last three in any cell of
             the stage, shape (k, 7).
-        told: output for their number, shape (1,).
+        result: output for their number, shape (1,).
     """
     bend_speeds(bounds, limits, speeds)
     for i in range(bounds.shape[1]):
@@ -51,7 +51,7 @@ def bent_stages(
             slow = _lesser(slow, limits[0, part] / _greater(bounds[D1, i, part], TINY))
         speeds[i] = slow
     _write_room(bounds, limits, speeds, cells)
-    told[0] = _join_alike(lengths, cells, out)
+    result[0] = _join_alike(lengths, cells, out)
 
 
 @kernel

@@ -16,7 +16,7 @@ def part_times(
     max_speeds: Array1,
     own: Array1,
     needs: Array2,
-    told: Array1,
+    result: Array1,
 ) -> None:
     """Write the times that a tool and its joints take at least for the parts between places of a path.
 
@@ -29,9 +29,9 @@ def part_times(
         max_speeds: of the joints [rad/s | m/s], shape (n,).
         own: where the times of the tool go [s], shape (k,).
         needs: output for the times of the joints [s], shape (k, n).
-        told: set to the least share of its own time to that of its slowest joint, at most 1, shape (1,).
+        result: set to the least share of its own time to that of its slowest joint, at most 1, shape (1,).
     """
-    told[0] = 1.0
+    result[0] = 1.0
     before = _slowness(d1, 0, speed, turning)
     for k in range(own.shape[0]):
         behind = _slowness(d1, k + 1, speed, turning)
@@ -40,12 +40,12 @@ def part_times(
         for j in range(q.shape[1]):
             needs[k, j] = abs(q[k + 1, j] - q[k, j]) / max_speeds[j]
             longest = max(longest, needs[k, j])
-        if own[k] < told[0] * longest:
-            told[0] = own[k] / longest
+        if own[k] < result[0] * longest:
+            result[0] = own[k] / longest
 
 
 @kernel
-def longest_cell(q: Array2, derivatives: Array3, max_speeds: Array1, told: Array1) -> None:
+def longest_cell(q: Array2, derivatives: Array3, max_speeds: Array1, result: Array1) -> None:
     """Write a time that no joint needs more than from row to row, at its pace anywhere between them.
 
     The first derivative of the polynomial between two rows is nowhere beyond its Bernstein coefficients.
@@ -54,16 +54,16 @@ def longest_cell(q: Array2, derivatives: Array3, max_speeds: Array1, told: Array
         q: joint coordinates at the rows [rad | m], shape (k, n).
         derivatives: first and second ones by the number of the row, shape (2, k, n).
         max_speeds: of the joints [rad/s | m/s], shape (n,).
-        told: output for the time [s], shape (1,).
+        result: output for the time [s], shape (1,).
     """
-    told[0] = 0.0
+    result[0] = 0.0
     for k in range(q.shape[0] - 1):
         for j in range(q.shape[1]):
             v, w = derivatives[0, k, j], derivatives[0, k + 1, j]
             first, last = v + 0.25 * derivatives[1, k, j], w - 0.25 * derivatives[1, k + 1, j]
             middle = 5.0 * (q[k + 1, j] - q[k, j]) - (v + first + last + w)
             most = max(abs(v), abs(w), abs(first), abs(last), abs(middle))
-            told[0] = max(told[0], most / max_speeds[j])
+            result[0] = max(result[0], most / max_speeds[j])
 
 
 def _slowness(d1: Array, k: int, speed: float, turning: float) -> float:

@@ -35,17 +35,17 @@ _STEPS = 64
 _TINY = 1e-300
 
 
-def conflict_of(robot: RobotModel, leg: PlannedMove, number: int) -> Conflict | None:
+def conflict_of(robot: RobotModel, move: PlannedMove, number: int) -> Conflict | None:
     """Return where the joints whirl on the path of a move, None where they do not.
 
     Args:
         robot: the arm.
-        leg: the move, with a path of the tool.
+        move: the move, with a path of the tool.
         number: of the move in the sequence.
     """
-    if _is_calm(robot, leg):
+    if _is_calm(robot, move):
         return None
-    own, needs, least = _times(robot, leg)
+    own, needs, least = _times(robot, move)
     if least >= WHIRL:
         return None
     times = np.maximum(needs.max(axis=1), own)
@@ -55,7 +55,7 @@ def conflict_of(robot: RobotModel, leg: PlannedMove, number: int) -> Conflict | 
         return None
     joint = robot.axis_joints[int(np.argmax(needs[part]))]
     words = f"joint `{joint.name}` slows the path down to {shares[part]:.0%} after {part / _STEPS:.0%} of it"
-    return Conflict(number, words, leg.move.origin.span)
+    return Conflict(number, words, move.move.origin.span)
 
 
 def conflict_of_refusal(move: MoveInstruction, refusal: Refusal, number: int) -> list[Conflict]:
@@ -74,64 +74,64 @@ def conflict_of_refusal(move: MoveInstruction, refusal: Refusal, number: int) ->
     ]
 
 
-def is_narrow(limits: JointRange, leg: PlannedMove) -> bool:
+def is_narrow(limits: JointRange, move: PlannedMove) -> bool:
     """Return whether an axis that turns comes near to a limit on the path of a move.
 
     Args:
         limits: of the joints.
-        leg: the move.
+        move: the move.
     """
-    if leg.joints is None:
+    if move.joints is None:
         return False
-    q = leg.joints.joints(np.linspace(0.0, leg.joints.length, _STEPS + 1)).q
+    q = move.joints.joints(np.linspace(0.0, move.joints.length, _STEPS + 1)).q
     room = np.minimum(q - limits.lower, limits.upper - q)[:, limits.revolute > 0.0]
     return bool((room < NARROW).any())
 
 
-def time_of(robot: RobotModel, leg: PlannedMove, q_start: Array) -> float:
+def time_of(robot: RobotModel, move: PlannedMove, q_start: Array) -> float:
     """Return the time of a move [s], without that for changes of speed on a path of the tool.
 
     Args:
         robot: the arm.
-        leg: the move.
+        move: the move.
         q_start: command joint coordinates at its start [rad | m], shape (n,).
     """
-    if leg.joints is None:
+    if move.joints is None:
         return 0.0
-    if own := own_law_of(leg.joints):
+    if own := own_law_of(move.joints):
         return own.duration
-    if leg.tool is None:
-        return float(durations(q_start, leg.q_end[np.newaxis], leg.planned.limits.joints)[0])
-    of_tool, needs, _ = _times(robot, leg)
+    if move.tool is None:
+        return float(durations(q_start, move.q_end[np.newaxis], move.planned.limits.joints)[0])
+    of_tool, needs, _ = _times(robot, move)
     return float(np.maximum(needs.max(axis=1), of_tool).sum())
 
 
-def _is_calm(robot: RobotModel, leg: PlannedMove) -> bool:
+def _is_calm(robot: RobotModel, move: PlannedMove) -> bool:
     """Return whether the joints clearly keep up with a straight line."""
-    path, joints = leg.tool, leg.joints
+    path, joints = move.tool, move.joints
     if path is None or not has_straight_tcp(path) or type(joints) is not SampledPath:
         return False
     longest = np.empty(1)
     longest_cell(joints.q, joints.derivatives, max_speeds_of(robot), longest)
-    at_tool_speed = path.length / max(leg.planned.limits.tool.speed, _TINY) / (len(joints.q) - 1)
+    at_tool_speed = path.length / max(move.planned.limits.tool.speed, _TINY) / (len(joints.q) - 1)
     return bool(longest[0] * WHIRL <= at_tool_speed)
 
 
-def _times(robot: RobotModel, leg: PlannedMove) -> tuple[Array, Array, float]:
+def _times(robot: RobotModel, move: PlannedMove) -> tuple[Array, Array, float]:
     """Return the times [s] of the parts of a path: of the tool, shape (k,), and of the joints, (k, n).
 
     Behind them stands the least share of the former to the longest of a part.
     """
-    assert leg.tool is not None
-    assert leg.joints is not None
-    length, limits = leg.tool.length, leg.planned.limits.tool
+    assert move.tool is not None
+    assert move.joints is not None
+    length, limits = move.tool.length, move.planned.limits.tool
     at = places(length, _STEPS)
-    d1, q = leg.tool.tool(at).d1, leg.joints.joints(at).q
-    own, needs, told = np.empty(_STEPS), np.empty((_STEPS, robot.n)), np.empty(1)
+    d1, q = move.tool.tool(at).d1, move.joints.joints(at).q
+    own, needs, result = np.empty(_STEPS), np.empty((_STEPS, robot.n)), np.empty(1)
     speed, turning = max(limits.speed, _TINY), max(limits.orientation_speed, _TINY)
     rows = np.ascontiguousarray(d1, dtype=np.float64), np.ascontiguousarray(q, dtype=np.float64)
-    part_times(*rows, length / _STEPS, speed, turning, max_speeds_of(robot), own, needs, told)
-    return own, needs, float(told[0])
+    part_times(*rows, length / _STEPS, speed, turning, max_speeds_of(robot), own, needs, result)
+    return own, needs, float(result[0])
 
 
 @lru_cache(maxsize=64)

@@ -153,15 +153,15 @@ def _taken(chain: MotionChain, starts: Sequence[_Start], q_end: Array, why: Conf
     """
     best: Way | None = None
     for start in starts:
-        way, leg = start.way, start.nearest
+        way, move = start.way, start.nearest
         changes = way.changes
-        if not _is_same(leg.q_end, q_end):
+        if not _is_same(move.q_end, q_end):
             other = _to_joints(chain, start, q_end, why)
             if isinstance(other, Refusal):
                 continue
-            leg, changes = other, changes + _change(chain.robot, leg.q_end, q_end)
-        time = way.time + time_of(chain.robot, leg, way.q)
-        found = Way(leg.q_end, (*way.legs, leg), None, way.conflicts, changes, way.narrow, time)
+            move, changes = other, changes + _change(chain.robot, move.q_end, q_end)
+        time = way.time + time_of(chain.robot, move, way.q)
+        found = Way(move.q_end, (*way.legs, move), None, way.conflicts, changes, way.narrow, time)
         if best is None or found.rank < best.rank:
             best = found
     return best
@@ -188,10 +188,10 @@ def _onward(chain: MotionChain, limits: JointRange, way: Way, moves: Sequence[Mo
     """Return the way with moves that have no choice, up to the first infeasible one."""
     q, time, conflicts, narrow = way.q, way.time, way.conflicts, way.narrow
     legs, refusal = planned_moves(chain, moves, q)
-    for leg in legs:
-        time += time_of(chain.robot, leg, q)
-        if leg.tool is not None:
-            conflicts += conflict_of(chain.robot, leg, 0) is not None
-            narrow += is_narrow(limits, leg)
-        q = leg.q_end
+    for move in legs:
+        time += time_of(chain.robot, move, q)
+        if move.tool is not None:
+            conflicts += conflict_of(chain.robot, move, 0) is not None
+            narrow += is_narrow(limits, move)
+        q = move.q_end
     return Way(q, (*way.legs, *legs), refusal, conflicts, way.changes, narrow, time)

@@ -40,12 +40,12 @@ class PathPlanner(Protocol):
 class Interpolator(Protocol):
     """Samples a path of the tool, so densely that the joints are smooth between two samples."""
 
-    def sample(self, path: ToolPath, density: int) -> PoseSetpoints:
+    def sample(self, path: ToolPath, sampling: int) -> PoseSetpoints:
         """Return the poses at equally spaced places, from the start of the path to its end.
 
         Args:
             path: of the tool.
-            density: 1 at first, then 2, 4, …, where the samples before were too far apart.
+            sampling: 1 at first, then 2, 4, …, where the samples before were too far apart.
         """
         ...
 

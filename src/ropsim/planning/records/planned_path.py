@@ -102,5 +102,5 @@ def _limits(
     )
 
 
-def _either(asked: _Rate, default: float) -> float:
-    return default if asked is None else asked
+def _either(requested: _Rate, default: float) -> float:
+    return default if requested is None else requested

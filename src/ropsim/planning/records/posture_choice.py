@@ -59,9 +59,9 @@ class JointRange:
         """Return which rows lie within all limits, false for NaN; q of the axes [rad | m], shape (k, n)."""
         if self.coupled.joints:
             return np.asarray((self.excess(q) == 0.0).all(axis=1))
-        told = np.empty(len(q))
-        rows_inside(np.ascontiguousarray(q), self.lower, self.upper, LIMIT_SLACK, told)
-        return np.asarray(told > 0.0)
+        result = np.empty(len(q))
+        rows_inside(np.ascontiguousarray(q), self.lower, self.upper, LIMIT_SLACK, result)
+        return np.asarray(result > 0.0)
 
     def values(self, q: Array) -> Array:
         """Return coordinates of all joints [rad | m], shape (k, n + m), from those of the axes (k, n)."""

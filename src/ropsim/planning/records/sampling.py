@@ -10,13 +10,13 @@ SMOOTH = 5e-8
 the samples divides it by 64, so the path through all of them is true to about 1e-9."""
 
 
-def denser(density: int, rough: float | None) -> int:
+def denser(sampling: int, error: float | None) -> int:
     """Return the density after one at which the way through the samples is too rough.
 
     Args:
-        density: how many times more samples than at first were taken.
-        rough: the greatest difference of the paths [rad | m], of which the sixth root counts; None where it
+        sampling: how many times more samples than at first were taken.
+        error: the greatest difference of the paths [rad | m], of which the sixth root counts; None where it
             is not known.
     """
-    half = 1 if rough is None else 1 << max(math.ceil(math.log2(rough / SMOOTH) / 6.0) - 1, 0)
-    return min(2 * half * density, MOST_DENSITY)
+    half = 1 if error is None else 1 << max(math.ceil(math.log2(error / SMOOTH) / 6.0) - 1, 0)
+    return min(2 * half * sampling, MOST_DENSITY)

@@ -38,7 +38,7 @@ def turn_rows(
 
 
 @kernel
-def rows_inside(q: Array2, lower: Array1, upper: Array1, slack: float, told: Array1) -> None:
+def rows_inside(q: Array2, lower: Array1, upper: Array1, slack: float, result: Array1) -> None:
     """Write for each row 1 where no coordinate is beyond its limit, else 0, as for NaN.
 
     Args:
@@ -46,13 +46,13 @@ def rows_inside(q: Array2, lower: Array1, upper: Array1, slack: float, told: Arr
         lower: limits of the axes [rad | m], shape (n,).
         upper: upper limits.
         slack: by which a coordinate may be beyond its limit [rad | m].
-        told: output, shape (k,).
+        result: output, shape (k,).
     """
     for row in range(q.shape[0]):
-        told[row] = 1.0
+        result[row] = 1.0
         for j in range(q.shape[1]):
             if not (lower[j] - q[row, j] <= slack and q[row, j] - upper[j] <= slack):
-                told[row] = 0.0
+                result[row] = 0.0
 
 
 def _turns(q: float, q_near: float, lower: float, upper: float, slack: float) -> float:

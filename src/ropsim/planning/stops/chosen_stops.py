@@ -52,28 +52,28 @@ class ByJoints:
 
 
 def by_tool(
-    legs: Sequence[PlannedMove], corners: Blends, walks: Sequence[Walk], rules: TimingRules
+    moves: Sequence[PlannedMove], blends: Blends, walks: Sequence[Walk], rules: TimingRules
 ) -> ByTool:
     """Return which corners are quicker than stops by the limits of the tool.
 
     Args:
-        legs: the moves.
-        corners: between each two of them.
+        moves: the moves.
+        blends: between each two of them.
         walks: the segments of the moves with these blends, as from `segments_of`.
         rules: time law and look-ahead.
     """
     stops: tuple[int, ...] = ()
     parts = sections_of(walks, rules)
-    alone, times = times_alone(legs, parts, rules), tool_times(legs, corners, rules)
-    course = timing_of(parts, len(legs))
-    while more := quicker_stops(corners, course.ends, alone, times):
-        corners, stops = without(corners, more), (*stops, *more)
-        course = timing_of(sections_of(segments_of(legs, corners), rules), len(legs))
-    return ByTool(stops, corners, course, alone, times)
+    alone, times = times_alone(moves, parts, rules), tool_times(moves, blends, rules)
+    timing = timing_of(parts, len(moves))
+    while more := quicker_stops(blends, timing.ends, alone, times):
+        blends, stops = without(blends, more), (*stops, *more)
+        timing = timing_of(sections_of(segments_of(moves, blends), rules), len(moves))
+    return ByTool(stops, blends, timing, alone, times)
 
 
 def by_joints(
-    legs: Sequence[PlannedMove], chosen: ByTool, arm: ArmBounds, ticks: Ticks, rules: TimingRules
+    moves: Sequence[PlannedMove], chosen: ByTool, arm: ArmBounds, ticks: Ticks, rules: TimingRules
 ) -> ByJoints:
     """Return which of the corners that are left are quicker than stops within the limits of the joints.
 
@@ -81,27 +81,27 @@ def by_joints(
     tried if they might be quicker.
 
     Args:
-        legs: the moves.
+        moves: the moves.
         chosen: corners that the limits of the tool leave.
         arm: limits of the joints.
         ticks: of control.
         rules: time law and look-ahead.
     """
 
-    def kept(corners: Blends) -> Retiming:
-        course = timing_of(sections_of(segments_of(legs, corners), rules), len(legs))
-        return retimed(course, arm, ticks, rules)
+    def kept(blends: Blends) -> Retiming:
+        timing = timing_of(sections_of(segments_of(moves, blends), rules), len(moves))
+        return retimed(timing, arm, ticks, rules)
 
-    corners = chosen.corners
+    blends = chosen.corners
     stops: tuple[int, ...] = ()
-    keeping = retimed(chosen.course, arm, ticks, rules)
-    times = arm_times(legs, corners, rules, chosen.times, arm, ticks)
-    while more := quicker_stops(corners, keeping.ends, chosen.alone, times):
-        corners, stops = without(corners, more), (*stops, *more)
-        keeping = kept(corners)
-    rounded = tuple(number for number, corner in enumerate(corners) if corner)
-    if rounded and keeping.duration > sum(chosen.alone):
-        nowhere = without(corners, rounded)
-        if (stopping := kept(nowhere)).duration < keeping.duration:
+    retiming = retimed(chosen.course, arm, ticks, rules)
+    times = arm_times(moves, blends, rules, chosen.times, arm, ticks)
+    while more := quicker_stops(blends, retiming.ends, chosen.alone, times):
+        blends, stops = without(blends, more), (*stops, *more)
+        retiming = kept(blends)
+    rounded = tuple(number for number, blend in enumerate(blends) if blend)
+    if rounded and retiming.duration > sum(chosen.alone):
+        nowhere = without(blends, rounded)
+        if (stopping := kept(nowhere)).duration < retiming.duration:
             return ByJoints((*stops, *rounded), nowhere, stopping)
-    return ByJoints(stops, corners, keeping)
+    return ByJoints(stops, blends, retiming)

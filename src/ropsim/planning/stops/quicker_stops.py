@@ -30,7 +30,7 @@ class Times:
 
 
 def quicker_stops(
-    corners: Sequence[Blend | None], ends: Sequence[float], alone: Sequence[float], times: Times
+    blends: Sequence[Blend | None], ends: Sequence[float], alone: Sequence[float], times: Times
 ) -> tuple[int, ...]:
     """Return the numbers of the rounded corners at which to stop, so that the motion takes the least time.
 
@@ -41,7 +41,7 @@ def quicker_stops(
     is planned only where nothing shorter is known to be left.
 
     Args:
-        corners: between each two moves; None where the arm stops already.
+        blends: between each two moves; None where the arm stops already.
         ends: times at which the moves end in the present motion [s].
         alone: lower bounds of the times of the moves from rest to rest [s].
         times: of the moves between two stops.
@@ -51,7 +51,7 @@ def quicker_stops(
         evaluations via lazy best-first search over paths with edge selectors, ICAPS.
     """
     found: list[int] = []
-    for first, last in _runs(corners):
+    for first, last in _runs(blends):
         begin = ends[first - 1] if first else 0.0
         taken = [end - start for start, end in pairwise((begin, *ends[first:last]))]
         slow = [one > other for one, other in zip(taken, alone[first:last], strict=True)]
@@ -66,9 +66,9 @@ def quicker_stops(
     return tuple(found)
 
 
-def _runs(corners: Sequence[Blend | None]) -> Iterator[Span]:
+def _runs(blends: Sequence[Blend | None]) -> Iterator[Span]:
     """Yield the moves between each two stops that pass a corner."""
-    stops = [0, *(number + 1 for number, corner in enumerate(corners) if corner is None), len(corners) + 1]
+    stops = [0, *(number + 1 for number, blend in enumerate(blends) if blend is None), len(blends) + 1]
     yield from ((first, last) for first, last in pairwise(stops) if last - first > 1)
 
 
@@ -111,11 +111,11 @@ def _way(nodes: Sequence[int], known: dict[Span, float], times: Times) -> list[S
     return way[::-1]
 
 
-def without(corners: Sequence[Blend | None], stops: Sequence[int]) -> list[Blend | None]:
+def without(blends: Sequence[Blend | None], stops: Sequence[int]) -> list[Blend | None]:
     """Return corners with stops at some of them.
 
     Args:
-        corners: between each two moves.
+        blends: between each two moves.
         stops: numbers of those at which the arm stops.
     """
-    return [None if number in stops else corner for number, corner in enumerate(corners)]
+    return [None if number in stops else blend for number, blend in enumerate(blends)]

@@ -16,58 +16,60 @@ from ropsim.planning.trajectory.timing import Timing, timing_of
 
 
 def times_alone(
-    legs: Sequence[PlannedMove], parts: Sequence[Section], rules: TimingRules
+    moves: Sequence[PlannedMove], parts: Sequence[Section], rules: TimingRules
 ) -> tuple[float, ...]:
     """Return the times that moves take from rest to rest by the limits of their paths [s].
 
     Args:
-        legs: the moves.
+        moves: the moves.
         parts: of the moves with corners between them.
         rules: time law and look-ahead.
     """
     found: dict[int, float] = {}
     for part in parts:
-        for piece in part.pieces:
-            path = legs[piece.leg].joints
-            if piece.corner is not None or path is None or not piece.is_even:
+        for path_segment in part.pieces:
+            path = moves[path_segment.leg].joints
+            if path_segment.corner is not None or path is None or not path_segment.is_even:
                 continue
-            is_whole = len(part.pieces) == 1 and piece.joints is path
-            found[piece.leg] = part.law.duration if is_whole else _even_time(piece.stages, path.length, rules)
-    for number, leg in enumerate(legs):
-        if own := own_law_of(leg.joints):
+            is_whole = len(part.pieces) == 1 and path_segment.joints is path
+            found[path_segment.leg] = (
+                part.law.duration if is_whole else _even_time(path_segment.stages, path.length, rules)
+            )
+    for number, move in enumerate(moves):
+        if own := own_law_of(move.joints):
             found[number] = own.duration
         elif number not in found:
-            found[number] = _course([leg], [], rules).duration
-    return tuple(found[number] for number in range(len(legs)))
+            found[number] = _course([move], [], rules).duration
+    return tuple(found[number] for number in range(len(moves)))
 
 
-def _even_time(stages: PathLimits, length: float, rules: TimingRules) -> float:
+def _even_time(path_limits: PathLimits, length: float, rules: TimingRules) -> float:
     """Return the time [s] along a path of a length with the same bounds all along it."""
-    rows = np.array([[length, *stages.bounds[0].tolist(), 1.0, -1.0]])
+    rows = np.array([[length, *path_limits.bounds[0].tolist(), 1.0, -1.0]])
     return rules.law(rows, np.ones(1)).duration
 
 
-def tool_times(legs: Sequence[PlannedMove], corners: Sequence[Blend | None], rules: TimingRules) -> Times:
+def tool_times(moves: Sequence[PlannedMove], blends: Sequence[Blend | None], rules: TimingRules) -> Times:
     """Return the times of moves by the limits of their paths alone.
 
     Args:
-        legs: the moves.
-        corners: between each two of them.
+        moves: the moves.
+        blends: between each two of them.
         rules: time law and look-ahead.
     """
     known: dict[Span, float] = {}
 
     def time(span: Span) -> float:
         if span not in known:
-            known[span] = _course(*_part(legs, corners, span), rules).duration
+            known[span] = _course(*_part(moves, blends, span), rules).duration
         return known[span]
 
     return Times(time, time)
 
 
 def arm_times(
-    legs: Sequence[PlannedMove],
-    corners: Sequence[Blend | None],
+    moves: Sequence[PlannedMove],
+    blends: Sequence[Blend | None],
     rules: TimingRules,
     least: Times,
     arm: ArmBounds,
@@ -76,8 +78,8 @@ def arm_times(
     """Return the times of moves within the limits of the joints.
 
     Args:
-        legs: the moves.
-        corners: between each two of them.
+        moves: the moves.
+        blends: between each two of them.
         rules: time law and look-ahead.
         least: their times by the limits of their paths.
         arm: limits of the joints.
@@ -85,18 +87,18 @@ def arm_times(
     """
 
     def time(span: Span) -> float:
-        course = _course(*_part(legs, corners, span), rules)
-        return retimed(course, arm, ticks, rules).duration
+        timing = _course(*_part(moves, blends, span), rules)
+        return retimed(timing, arm, ticks, rules).duration
 
     return Times(least.exact, time)
 
 
 def _part(
-    legs: Sequence[PlannedMove], corners: Sequence[Blend | None], span: Span
+    moves: Sequence[PlannedMove], blends: Sequence[Blend | None], span: Span
 ) -> tuple[Sequence[PlannedMove], Sequence[Blend | None]]:
     first, last = span
-    return legs[first:last], corners[first : last - 1]
+    return moves[first:last], blends[first : last - 1]
 
 
-def _course(legs: Sequence[PlannedMove], corners: Sequence[Blend | None], rules: TimingRules) -> Timing:
-    return timing_of(sections_of(segments_of(legs, corners), rules), len(legs))
+def _course(moves: Sequence[PlannedMove], blends: Sequence[Blend | None], rules: TimingRules) -> Timing:
+    return timing_of(sections_of(segments_of(moves, blends), rules), len(moves))

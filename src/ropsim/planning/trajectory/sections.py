@@ -71,28 +71,30 @@ def sections_of(walks: Sequence[Walk], rules: TimingRules) -> tuple[Section, ...
         walks: the segments, as from `pieces_of`.
         rules: time law and look-ahead.
     """
-    return tuple(_quickest(pieces, over, rules) for pieces, over in walks)
+    return tuple(_quickest(path_segments, over, rules) for path_segments, over in walks)
 
 
-def section_of(pieces: Sequence[PathSegment], over: JointSpaceBlend | None, rules: TimingRules) -> Section:
+def section_of(
+    path_segments: Sequence[PathSegment], over: JointSpaceBlend | None, rules: TimingRules
+) -> Section:
     """Return segments with their time law: planned interval by interval, expressed segment by segment.
 
     Args:
-        pieces: that are traversed together from rest to rest.
+        path_segments: that are traversed together from rest to rest.
         over: how they go over into the next ones; None where they stop.
         rules: time law and look-ahead.
     """
-    if own := own_law_of(pieces[0].joints):
-        return Section(tuple(pieces), pieces[0].stages, _NOTHING, own, over)
-    rows = [piece.stages.rows for piece in pieces]
+    if own := own_law_of(path_segments[0].joints):
+        return Section(tuple(path_segments), path_segments[0].stages, _NOTHING, own, over)
+    rows = [path_segment.stages.rows for path_segment in path_segments]
     counts = np.array([len(each) for each in rows])
-    stages = PathLimits(np.concatenate(rows)) if len(rows) > 1 else pieces[0].stages
-    return planned_section(pieces, stages, counts, over, rules)
+    path_limits = PathLimits(np.concatenate(rows)) if len(rows) > 1 else path_segments[0].stages
+    return planned_section(path_segments, path_limits, counts, over, rules)
 
 
 def planned_section(
-    pieces: Sequence[PathSegment],
-    stages: PathLimits,
+    path_segments: Sequence[PathSegment],
+    path_limits: PathLimits,
     counts: Counts,
     over: JointSpaceBlend | None,
     rules: TimingRules,
@@ -100,29 +102,35 @@ def planned_section(
     """Return pieces with the time law of stages that count for them instead of their own.
 
     Args:
-        pieces: that are traversed together from rest to rest.
-        stages: of all pieces in a row.
+        path_segments: that are traversed together from rest to rest.
+        path_limits: of all pieces in a row.
         counts: how many of them each piece has, one or more, shape (p,).
         over: how they go over into the next ones; None where they stop.
         rules: time law and look-ahead.
     """
-    bounds = np.empty((len(stages), 6))
-    bounds[:, :4] = stages.rows
-    legs, many = np.array([piece.leg for piece in pieces], np.float64), counts.astype(np.float64)
-    lay_horizons(legs, many, rules.look_ahead, bounds)
-    return Section(tuple(pieces), stages, counts, rules.law(bounds, many), over)
+    bounds = np.empty((len(path_limits), 6))
+    bounds[:, :4] = path_limits.rows
+    moves, many = (
+        np.array([path_segment.leg for path_segment in path_segments], np.float64),
+        counts.astype(np.float64),
+    )
+    lay_horizons(moves, many, rules.look_ahead, bounds)
+    return Section(tuple(path_segments), path_limits, counts, rules.law(bounds, many), over)
 
 
-def _quickest(pieces: Sequence[PathSegment], over: JointSpaceBlend | None, rules: TimingRules) -> Section:
+def _quickest(
+    path_segments: Sequence[PathSegment], over: JointSpaceBlend | None, rules: TimingRules
+) -> Section:
     """Return segments with the choice of bend limits that takes the least time."""
-    first = section_of(pieces, over, rules)
-    most = max(len(piece.gentler) for piece in pieces)
+    first = section_of(path_segments, over, rules)
+    most = max(len(path_segment.gentler) for path_segment in path_segments)
     others = (
-        section_of([_gentler(piece, number) for piece in pieces], over, rules) for number in range(most)
+        section_of([_gentler(path_segment, number) for path_segment in path_segments], over, rules)
+        for number in range(most)
     )
     return min((first, *others), key=lambda part: part.law.duration)
 
 
-def _gentler(piece: PathSegment, number: int) -> PathSegment:
-    last = len(piece.gentler) - 1
-    return piece if last < 0 else replace(piece, stages=piece.gentler[min(number, last)])
+def _gentler(path_segment: PathSegment, number: int) -> PathSegment:
+    last = len(path_segment.gentler) - 1
+    return path_segment if last < 0 else replace(path_segment, stages=path_segment.gentler[min(number, last)])

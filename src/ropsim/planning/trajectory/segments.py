@@ -68,56 +68,56 @@ Walk = tuple[list[PathSegment], JointSpaceBlend | None]
 """Segments traversed together, and their blend into the next ones; None for a stop."""
 
 
-def segments_of(legs: Sequence[PlannedMove], corners: Sequence[Blend | None]) -> list[Walk]:
+def segments_of(moves: Sequence[PlannedMove], blends: Sequence[Blend | None]) -> list[Walk]:
     """Return the pieces of a sequence in order.
 
     Args:
-        legs: the moves.
-        corners: between each two of them; None where the arm stops there, or where one has no length.
+        moves: the moves.
+        blends: between each two of them; None where the arm stops there, or where one has no length.
     """
     parts: dict[int, tuple[float, float]] = {}
     enters = 0.0
-    for number, (leg, corner) in enumerate(zip(legs, (*corners, None), strict=True)):
-        if leg.joints is None:
+    for number, (move, blend) in enumerate(zip(moves, (*blends, None), strict=True)):
+        if move.joints is None:
             continue
-        length = leg.joints.length
-        leaves = corner.leave if isinstance(corner, CartesianBlend) else length
+        length = move.joints.length
+        leaves = blend.leave if isinstance(blend, CartesianBlend) else length
         if leaves - enters > _NOTHING * length:
             parts[number] = enters, leaves
-        enters = corner.enter if isinstance(corner, CartesianBlend) else 0.0
-    runs: list[Walk] = []
-    pieces: list[PathSegment] = []
-    for number, (leg, corner) in enumerate(zip(legs, (*corners, None), strict=True)):
+        enters = blend.enter if isinstance(blend, CartesianBlend) else 0.0
+    sections: list[Walk] = []
+    path_segments: list[PathSegment] = []
+    for number, (move, blend) in enumerate(zip(moves, (*blends, None), strict=True)):
         if number in parts:
-            pieces.append(_straight(number, leg, *parts[number]))
-        if isinstance(corner, CartesianBlend):
-            pieces.append(_round(number, leg, legs[number + 1], corner))
-        elif leg.joints is not None:
-            runs.append((pieces, corner))
-            pieces = []
-    return runs
+            path_segments.append(_straight(number, move, *parts[number]))
+        if isinstance(blend, CartesianBlend):
+            path_segments.append(_round(number, move, moves[number + 1], blend))
+        elif move.joints is not None:
+            sections.append((path_segments, blend))
+            path_segments = []
+    return sections
 
 
-def _straight(number: int, leg: PlannedMove, first: float, last: float) -> PathSegment:
+def _straight(number: int, move: PlannedMove, first: float, last: float) -> PathSegment:
     """Return a part of the path of a move with the bounds along it."""
-    planned, joints = leg.planned, leg.joints
+    planned, joints = move.planned, move.joints
     assert joints is not None
     tool, coordination, whole = planned.tool, planned.coordination, first == 0.0 and last == joints.length
     if not whole:
         joints = _section(joints, first, last)
     if tool is None:
-        stages = _NO_STAGES if own_law_of(joints) else joint_path_limits(joints, planned.limits.joints)
-        return _piece(number, joints, None, planned.X_MT, stages, None, None, first, ())
+        path_limits = _NO_STAGES if own_law_of(joints) else joint_path_limits(joints, planned.limits.joints)
+        return _piece(number, joints, None, planned.X_MT, path_limits, None, None, first, ())
     if not whole:
         tool = ToolSection(tool, first, last)
         coordination = coordination.part(first, last) if coordination else None
     choices = tool_path_limit_choices(tool, planned.limits.tool, _SHARES)
-    stages, *gentler = (along_with(one, coordination) for one in choices)
-    return _piece(number, joints, tool, planned.X_MT, stages, None, coordination, first, tuple(gentler))
+    path_limits, *gentler = (along_with(one, coordination) for one in choices)
+    return _piece(number, joints, tool, planned.X_MT, path_limits, None, coordination, first, tuple(gentler))
 
 
-def _round(number: int, before: PlannedMove, behind: PlannedMove, corner: CartesianBlend) -> PathSegment:
+def _round(number: int, before: PlannedMove, behind: PlannedMove, blend: CartesianBlend) -> PathSegment:
     X_MT = before.planned.X_MT
     least = lesser_limits(before.planned.limits.tool, behind.planned.limits.tool)
-    stages = along_with(tool_path_limits(corner.tool, least), corner.coordination)
-    return _piece(number, corner.joints, corner.tool, X_MT, stages, corner, corner.coordination, 0.0, ())
+    path_limits = along_with(tool_path_limits(blend.tool, least), blend.coordination)
+    return _piece(number, blend.joints, blend.tool, X_MT, path_limits, blend, blend.coordination, 0.0, ())

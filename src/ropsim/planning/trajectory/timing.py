@@ -77,42 +77,42 @@ class Timing:
         Args:
             number: of the run.
         """
-        run, behind = self.runs[number], self.runs[number + 1 : number + 2]
-        return run.start + run.overlap, run.end - (behind[0].overlap if behind else 0.0)
+        section, behind = self.runs[number], self.runs[number + 1 : number + 2]
+        return section.start + section.overlap, section.end - (behind[0].overlap if behind else 0.0)
 
 
-def timing_of(parts: Sequence[Section], legs: int) -> Timing:
+def timing_of(parts: Sequence[Section], moves: int) -> Timing:
     """Return the course through the parts of a sequence.
 
     Args:
         parts: of it.
-        legs: number of its moves.
+        moves: number of its moves.
     """
     if not parts:
-        return Timing((), (0.0,) * legs, np.empty((0, 7)), np.empty((8, 0)), np.empty(0))
+        return Timing((), (0.0,) * moves, np.empty((0, 7)), np.empty((8, 0)), np.empty(0))
     numbers = list[float]()
     for part in parts:
         over = part.over
         left = (over.leave - part.pieces[-1].begin, over.enter) if over else _STOP
         numbers += (part.law.segments.shape[1], len(part.pieces), *left)
     segments = np.concatenate([part.law.segments for part in parts], 1)
-    ends, asked = np.concatenate([part.law.ends for part in parts]), np.fromiter(numbers, np.float64)
+    ends, requested = np.concatenate([part.law.ends for part in parts]), np.fromiter(numbers, np.float64)
     table, times = np.empty((len(parts), 7)), np.empty((len(parts), 3))
-    lay_runs(segments, ends, asked.reshape(-1, 4), table, times)
+    lay_runs(segments, ends, requested.reshape(-1, 4), table, times)
     table.flags.writeable = segments.flags.writeable = ends.flags.writeable = False
-    runs = tuple(_run(part, *at) for part, at in zip(parts, times.tolist(), strict=True))
-    return Timing(runs, tuple(_ends(runs, legs)), table, segments, ends)
+    sections = tuple(_run(part, *at) for part, at in zip(parts, times.tolist(), strict=True))
+    return Timing(sections, tuple(_ends(sections, moves)), table, segments, ends)
 
 
-def _ends(runs: Sequence[TimedSection], legs: int) -> list[float]:
+def _ends(sections: Sequence[TimedSection], moves: int) -> list[float]:
     """Return the motion times at which moves end [s], see `Timing`."""
-    ends = [0.0] * legs
-    for run, overlap in zip(runs, (*[run.overlap for run in runs[1:]], 0.0), strict=True):
-        pieces = run.part.pieces
-        if len(pieces) > 1:  # a corner lies between two others
-            corners = [number for number, piece in enumerate(pieces) if piece.corner]
-            halves = [pieces[number].joints.length / 2.0 for number in corners]
-            for number, middle in zip(corners, run.law.times_of(corners, halves).tolist(), strict=True):
-                ends[pieces[number].leg] = run.start + middle
-        ends[pieces[-1].leg] = run.end - 0.5 * overlap
+    ends = [0.0] * moves
+    for section, overlap in zip(sections, (*[section.overlap for section in sections[1:]], 0.0), strict=True):
+        path_segments = section.part.pieces
+        if len(path_segments) > 1:  # a corner lies between two others
+            blends = [number for number, path_segment in enumerate(path_segments) if path_segment.corner]
+            halves = [path_segments[number].joints.length / 2.0 for number in blends]
+            for number, middle in zip(blends, section.law.times_of(blends, halves).tolist(), strict=True):
+                ends[path_segments[number].leg] = section.start + middle
+        ends[path_segments[-1].leg] = section.end - 0.5 * overlap
     return list(accumulate(ends, max))

@@ -20,13 +20,13 @@ RATIO, HORIZON = 4, 5
 
 
 @kernel
-def lay_horizons(legs: Array1, counts: Array1, look_ahead: int, bounds: Array2) -> None:
+def lay_horizons(moves: Array1, counts: Array1, look_ahead: int, bounds: Array2) -> None:
     """Write the last stage that is known where a stage ends, of all stages; -1 if unknown.
 
     Within a piece no more gets known: who can stop after it can stop before.
 
     Args:
-        legs: number of the move of each piece, rising, shape (p,).
+        moves: number of the move of each piece, rising, shape (p,).
         counts: how many stages each piece has, one or more, shape (p,).
         look_ahead: how many moves beyond the present one are known.
         bounds: of the stages, see `plan_stages`; ratio and horizon are written, shape (s, 6).
@@ -34,9 +34,9 @@ def lay_horizons(legs: Array1, counts: Array1, look_ahead: int, bounds: Array2) 
     for k in range(bounds.shape[0]):
         bounds[k, RATIO], bounds[k, HORIZON] = 1.0, -1.0
     last, known, last_known = -1, 0, int(counts[0]) - 1
-    for piece in range(legs.shape[0]):
-        last += int(counts[piece])
-        while known + 1 < legs.shape[0] and legs[known + 1] <= legs[piece] + look_ahead:
+    for path_segment in range(moves.shape[0]):
+        last += int(counts[path_segment])
+        while known + 1 < moves.shape[0] and moves[known + 1] <= moves[path_segment] + look_ahead:
             known += 1
             last_known += int(counts[known])
         bounds[last, HORIZON] = last_known
@@ -47,7 +47,7 @@ _SEGMENTS, _PIECES, _LEAVE, _ENTER = range(4)
 
 
 @kernel
-def lay_runs(segments: Array2, ends: Array1, asked: Array2, runs: Array2, times: Array2) -> None:
+def lay_runs(segments: Array2, ends: Array1, requested: Array2, sections: Array2, times: Array2) -> None:
     """Write when runs begin and end, and for how long the run before each still lasts when it begins [s].
 
     Both motions are added no longer than the shorter one of their sections next to the blend.
@@ -55,74 +55,84 @@ def lay_runs(segments: Array2, ends: Array1, asked: Array2, runs: Array2, times:
     Args:
         segments: of the time laws of all runs, shape (8, m).
         ends: times of each law at which its pieces end [s], shape (p,).
-        asked: of each section: numbers of law segments and path segments; the path parameter on its last one
-            from which on the next section may begin, NaN if it stops; and the path parameter on the first one
-            of that up to which it may last; shape (r, 4).
-        runs: where all goes that is known of them, see `Course.table`, shape (r, 7).
+        requested: of each section: numbers of law segments and path segments; the path parameter on its last
+            one from which on the next section may begin, NaN if it stops; and the path parameter on the first
+            one of that up to which it may last; shape (r, 4).
+        sections: where all goes that is known of them, see `Course.table`, shape (r, 7).
         times: where start, overlap and end go [s], shape (r, 3).
     """
-    segment = piece = 0
-    for number in range(runs.shape[0]):
-        run, told = runs[number], runs[number, OVERLAP:]
-        run[SEGMENT], run[SEGMENTS], run[FIRST_PIECE] = segment, asked[number, _SEGMENTS], piece
-        segment, first, piece = segment + int(run[SEGMENTS]), piece, piece + int(asked[number, _PIECES])
-        run[DURATION], both, end = ends[piece - 1], 0.0, 0.0
+    segment = path_segment = 0
+    for number in range(sections.shape[0]):
+        section, result = sections[number], sections[number, OVERLAP:]
+        section[SEGMENT], section[SEGMENTS], section[FIRST_PIECE] = (
+            segment,
+            requested[number, _SEGMENTS],
+            path_segment,
+        )
+        segment, first, path_segment = (
+            segment + int(section[SEGMENTS]),
+            path_segment,
+            path_segment + int(requested[number, _PIECES]),
+        )
+        section[DURATION], both, end = ends[path_segment - 1], 0.0, 0.0
         if number:
-            before, over, end = runs[number - 1], asked[number - 1], runs[number - 1, END]
+            before, over, end = sections[number - 1], requested[number - 1], sections[number - 1, END]
             if not isnan(over[_LEAVE]):
-                left = _time(segments, ends[:first], before, int(over[_PIECES]) - 1, over[_LEAVE], told)
-                entered = _time(segments, ends[:piece], run, 0, over[_ENTER], told)
+                left = _time(segments, ends[:first], before, int(over[_PIECES]) - 1, over[_LEAVE], result)
+                entered = _time(segments, ends[:path_segment], section, 0, over[_ENTER], result)
                 both = min(before[DURATION] - left, entered)
-        run[START], run[OVERLAP] = end - both, both
-        run[END] = run[START] + run[DURATION]
-        times[number, 0], times[number, 1], times[number, 2] = run[START], both, run[END]
+        section[START], section[OVERLAP] = end - both, both
+        section[END] = section[START] + section[DURATION]
+        times[number, 0], times[number, 1], times[number, 2] = section[START], both, section[END]
 
 
-def _time(segments: Array, ends: Array, run: Array, piece: int, place: float, told: Array) -> float:
+def _time(
+    segments: Array, ends: Array, section: Array, path_segment: int, place: float, result: Array
+) -> float:
     """Return the time of its law at which a run is at a place of one of its pieces [s]; see `time_at`."""
-    own = segments[:, int(run[SEGMENT]) : int(run[SEGMENT] + run[SEGMENTS])]
-    time_at(own, ends[int(run[FIRST_PIECE]) :], piece, place, told)
-    return float(told[0])
+    own = segments[:, int(section[SEGMENT]) : int(section[SEGMENT] + section[SEGMENTS])]
+    time_at(own, ends[int(section[FIRST_PIECE]) :], path_segment, place, result)
+    return float(result[0])
 
 
 @kernel
 def ticks_come(
-    runs: Array2,
+    sections: Array2,
     piece_ends: Array1,
     move_ends: Array1,
     phi: Array1,
     slack: float,
-    pieces: Array2,
+    path_segments: Array2,
     overlaps: Array2,
     moves: Array1,
 ) -> None:
     """Write the control ticks of events; a segment counts as far as no other section overlaps it.
 
     Args:
-        runs: see `Course.table`, shape (r, 7).
+        sections: see `Course.table`, shape (r, 7).
         piece_ends: see `Course.piece_ends`, shape (p,).
         move_ends: motion times at which moves end [s], shape (m,).
         phi: motion times at the control ticks 1, 2, … [s], shape (ticks,).
         slack: by which motion times may be off [s].
-        pieces: where the last tick before each piece goes, and the last one on it, shape (p, 2).
+        path_segments: where the last tick before each piece goes, and the last one on it, shape (p, 2).
         overlaps: the same for the overlap of each run with the one before, shape (r, 2).
         moves: where the first tick goes, 0 for the start, at which each move has ended, shape (m,).
     """
-    count, ticks = runs.shape[0], phi.shape[0]
+    count, ticks = sections.shape[0], phi.shape[0]
     for r in range(count):
-        start, together = runs[r, START], runs[r, OVERLAP]
+        start, together = sections[r, START], sections[r, OVERLAP]
         overlaps[r, 0], overlaps[r, 1] = _come(phi, start + slack), _come(phi, start + together + slack)
-        begin, end, beyond = start + together, runs[r, END], piece_ends.shape[0]
+        begin, end, beyond = start + together, sections[r, END], piece_ends.shape[0]
         if r + 1 < count:
-            end, beyond = end - runs[r + 1, OVERLAP], int(runs[r + 1, FIRST_PIECE])
-        first, tick = int(runs[r, FIRST_PIECE]), _come(phi, min(max(start, begin), end) + slack)
+            end, beyond = end - sections[r + 1, OVERLAP], int(sections[r + 1, FIRST_PIECE])
+        first, tick = int(sections[r, FIRST_PIECE]), _come(phi, min(max(start, begin), end) + slack)
         for p in range(first, beyond):
-            pieces[p, 0] = tick
+            path_segments[p, 0] = tick
             time = end if p + 1 == beyond else min(max(start + piece_ends[p], begin), end)
             tick = _come(phi, time + slack)
-            pieces[p, 1] = tick
+            path_segments[p, 1] = tick
         if r + 1 == count:
-            pieces[beyond - 1, 1] = ticks
+            path_segments[beyond - 1, 1] = ticks
     for m in range(move_ends.shape[0]):
         time = move_ends[m] - slack
         moves[m] = min(_before(phi, time) + (1 if time > 0.0 else 0), ticks)

@@ -36,15 +36,17 @@ class Trajectory:
     table: TrajectoryTable | None
 
     @classmethod
-    def on(cls, course: Timing) -> "Trajectory":
+    def on(cls, timing: Timing) -> "Trajectory":
         """Return the motion on a course."""
-        table = trajectory_table(course)
-        corners = _corners(course, table) if table else frozen([_end(run) for run in course.runs[:-1]])
-        return cls(course, corners, table)
+        table = trajectory_table(timing)
+        corners = (
+            _corners(timing, table) if table else frozen([_end(section) for section in timing.runs[:-1]])
+        )
+        return cls(timing, corners, table)
 
-    def timed(self, course: Timing) -> "Trajectory":
+    def timed(self, timing: Timing) -> "Trajectory":
         """Return the motion on a course that has the same pieces and other times."""
-        return Trajectory(course, self.corners, self.table.timed(course) if self.table else None)
+        return Trajectory(timing, self.corners, self.table.timed(timing) if self.table else None)
 
     @property
     def duration(self) -> float:
@@ -57,21 +59,21 @@ class Trajectory:
         Args:
             phi: motion times in rising order [s], shape (k,).
         """
-        runs = self.course.runs
+        sections = self.course.runs
         if table := self.table:
             numbers = TrajectoryNumbers(table.runs, table.segments, table.pieces, table.rows, table.slopes)
-            asked, n = np.ascontiguousarray(phi, dtype=np.float64), table.rows.shape[1]
+            requested, n = np.ascontiguousarray(phi, dtype=np.float64), table.rows.shape[1]
             total = np.empty((3, len(phi), n))
-            evaluate_trajectory(numbers, self.corners, asked, TrajectoryWork.of(n), total)
+            evaluate_trajectory(numbers, self.corners, requested, TrajectoryWork.of(n), total)
             return JointPoints(total[0], total[1], total[2])
-        corners = self.corners if len(self.corners) else _end(runs[0])[None]
+        corners = self.corners if len(self.corners) else _end(sections[0])[None]
         total, before = np.empty((3, len(phi), corners.shape[1])), 0
-        for number, run in enumerate(runs):
-            first = int(np.searchsorted(phi, run.start)) if number else 0
-            until = int(np.searchsorted(phi, run.end)) if number + 1 < len(runs) else len(phi)
+        for number, section in enumerate(sections):
+            first = int(np.searchsorted(phi, section.start)) if number else 0
+            until = int(np.searchsorted(phi, section.end)) if number + 1 < len(sections) else len(phi)
             if until > first:
                 corner = corners[max(number - 1, 0)]
-                _walk(run, phi[first:until] - run.start, first, before, corner, total)
+                _walk(section, phi[first:until] - section.start, first, before, corner, total)
             before = until
         return JointPoints(*total)
 
@@ -82,7 +84,7 @@ class Trajectory:
             number: of the run.
             rows: of its time law, in rising order, k of them.
         """
-        pieces = self.course.runs[number].pieces
+        path_segments = self.course.runs[number].pieces
         n = self.table.rows.shape[1] if self.table else len(_end(self.course.runs[number]))
         out = np.empty((3, len(rows.places), n))
         if table := self.table:
@@ -91,9 +93,9 @@ class Trajectory:
             first = int(table.runs[number, FIRST_PIECE])
             points_on(first, table.pieces, table.rows, table.slopes, law, room, out)
             return JointPoints(out[0], out[1], out[2])
-        for piece in np.unique(rows.pieces).tolist():
-            here = np.flatnonzero(rows.pieces == piece)
-            points = pieces[piece].joints.joints(rows.places[here])
+        for path_segment in np.unique(rows.pieces).tolist():
+            here = np.flatnonzero(rows.pieces == path_segment)
+            points = path_segments[path_segment].joints.joints(rows.places[here])
             out[:, here] = points.q, points.d1, points.d2
         return JointPoints(out[0], out[1], out[2])
 
@@ -103,64 +105,67 @@ class Trajectory:
         Args:
             phi: motion times in rising order [s], shape (k,).
         """
-        runs = self.course.runs
-        r = int(any(run.part.leads_tool for run in runs))
-        walked, most = np.zeros((2, len(phi), r)), np.full((2, len(phi), r), np.inf)
-        for number, run in enumerate(runs):
-            if not run.part.leads_tool:
+        sections = self.course.runs
+        r = int(any(section.part.leads_tool for section in sections))
+        evaluated, most = np.zeros((2, len(phi), r)), np.full((2, len(phi), r), np.inf)
+        for number, section in enumerate(sections):
+            if not section.part.leads_tool:
                 continue
             first, until = np.searchsorted(phi, self.course.alone(number), "right").tolist()
             first = first if number else 0
-            rows = run.law.at(phi[first:until] - run.start)
-            walked[:, first:until, 0] = rows.speeds, rows.accelerations
-            most[:, first:until, 0] = _most(run, rows)
-        return Ways(*walked, *most)
+            rows = section.law.at(phi[first:until] - section.start)
+            evaluated[:, first:until, 0] = rows.speeds, rows.accelerations
+            most[:, first:until, 0] = _most(section, rows)
+        return Ways(*evaluated, *most)
 
 
-def _corners(course: Timing, table: TrajectoryTable) -> Array:
+def _corners(timing: Timing, table: TrajectoryTable) -> Array:
     """Return the joint coordinates at the ends of all runs but the last [rad | m], shape (r - 1, n)."""
-    runs = course.runs[:-1]
-    law, out = np.zeros((4, len(runs))), np.empty((3, len(runs), table.rows.shape[1]))
-    law[PIECE], law[PLACE] = table.runs[1:, FIRST_PIECE] - 1.0, [run.pieces[-1].joints.length for run in runs]
+    sections = timing.runs[:-1]
+    law, out = np.zeros((4, len(sections))), np.empty((3, len(sections), table.rows.shape[1]))
+    law[PIECE], law[PLACE] = (
+        table.runs[1:, FIRST_PIECE] - 1.0,
+        [section.pieces[-1].joints.length for section in sections],
+    )
     points_on(0, table.pieces, table.rows, table.slopes, law, np.empty((COEFFICIENTS, out.shape[2])), out)
     out.flags.writeable = False
     corners: Array = out[0]
     return corners
 
 
-def _end(run: TimedSection) -> Array:
+def _end(section: TimedSection) -> Array:
     """Return the joint coordinates at the end of a run [rad | m], shape (n,)."""
-    path = run.pieces[-1].joints
+    path = section.pieces[-1].joints
     return np.ascontiguousarray(path.joints(np.array([path.length])).q[0])
 
 
-def _walk(run: TimedSection, times: Array, row: int, shared: int, corner: Array, total: Array) -> None:
+def _walk(section: TimedSection, times: Array, row: int, shared: int, corner: Array, total: Array) -> None:
     """Write coordinates and derivatives by time at times since the start of a run, shape (k,).
 
     Args:
-        run: of the course.
+        section: of the course.
         times: [s], rising, shape (k,).
         row: of the motion, for the first of them.
         shared: row up to which the run before still ends.
         corner: joint coordinates at which that ends, shape (n,).
         total: the motion, shape (3, m, n).
     """
-    rows = run.law.at(times)
+    rows = section.law.at(times)
     first, last = int(rows.pieces[0]), int(rows.pieces[-1])
     cuts = [0, len(times)]
     if last > first:
         cuts = np.searchsorted(rows.pieces, np.arange(first, last + 2)).tolist()
-    for piece, begin, end in zip(run.pieces[first : last + 1], cuts[:-1], cuts[1:], strict=True):
+    for path_segment, begin, end in zip(section.pieces[first : last + 1], cuts[:-1], cuts[1:], strict=True):
         if end > begin:
             here = slice(begin, end)
-            points = piece.joints.joints(rows.places[here])
+            points = path_segment.joints.joints(rows.places[here])
             q, d1, d2 = map(np.ascontiguousarray, (points.q, points.d1, points.d2))
             v, a = rows.speeds[here], rows.accelerations[here]
             add_in_time(q, d1, d2, v, a, row + begin, shared, corner, total)
 
 
-def _most(run: TimedSection, rows: LawRows) -> Array:
+def _most(section: TimedSection, rows: LawRows) -> Array:
     """Return the limits of acceleration and jerk on the path of a run, shape (2, k)."""
-    places = run.part.borders[rows.pieces] + rows.places
-    here = np.searchsorted(run.part.stages.ends[:-1], places, "right")
-    return run.part.stages.bounds[here, 1:].T
+    places = section.part.borders[rows.pieces] + rows.places
+    here = np.searchsorted(section.part.stages.ends[:-1], places, "right")
+    return section.part.stages.bounds[here, 1:].T

@@ -70,25 +70,25 @@ def evaluate_trajectory(
         work: buffers.
         total: the motion, shape (3, k, n).
     """
-    runs, segments, pieces, rows, slopes = table
+    sections, segments, path_segments, rows, slopes = table
     law, room, held = work
-    last, before = runs.shape[0] - 1, 0
+    last, before = sections.shape[0] - 1, 0
     for number in range(last + 1):
-        run = runs[number]
-        first = _behind(phi, run[START]) if number else 0
-        until = _behind(phi, run[END]) if number < last else phi.shape[0]
-        own = segments[:, int(run[SEGMENT]) : int(run[SEGMENT] + run[SEGMENTS])]
+        section = sections[number]
+        first = _behind(phi, section[START]) if number else 0
+        until = _behind(phi, section[END]) if number < last else phi.shape[0]
+        own = segments[:, int(section[SEGMENT]) : int(section[SEGMENT] + section[SEGMENTS])]
         for begin in range(first, until, AT_ONCE):
             count = min(until - begin, AT_ONCE)
             for k in range(count):
-                law[TIME, k] = phi[begin + k] - run[START]
-            rows_at(own, run[DURATION], law[TIME, :count], law)
+                law[TIME, k] = phi[begin + k] - section[START]
+            rows_at(own, section[DURATION], law[TIME, :count], law)
             shared = min(before - begin, count)
             for k in range(shared):
                 _copy(total.shape[2], total[0, begin + k], held[0, k])
                 _copy(total.shape[2], total[1, begin + k], held[1, k])
                 _copy(total.shape[2], total[2, begin + k], held[2, k])
-            _walk(int(run[FIRST_PIECE]), pieces, rows, slopes, law, count, room, begin, total)
+            _walk(int(section[FIRST_PIECE]), path_segments, rows, slopes, law, count, room, begin, total)
             for k in range(shared):
                 q, qd, qdd = total[0, begin + k], total[1, begin + k], total[2, begin + k]
                 _add(total.shape[2], held[0, k], held[1, k], held[2, k], corners[number - 1], q, qd, qdd)
@@ -97,31 +97,31 @@ def evaluate_trajectory(
 
 @kernel
 def points_on(
-    first: int, pieces: Array2, rows: Array2, slopes: Array3, law: Array2, room: Array2, points: Array3
+    first: int, path_segments: Array2, rows: Array2, slopes: Array3, law: Array2, work: Array2, points: Array3
 ) -> None:
     """Write the joints and their derivatives by time where a time law of a run is.
 
     Args:
         first: piece with which the run begins.
-        pieces: of all runs, as for `evaluate_trajectory`, and so are rows and slopes.
+        path_segments: of all runs, as for `evaluate_trajectory`, and so are rows and slopes.
         rows: see there.
         slopes: see there.
         law: numbers of the pieces of the run, rising, places on these, which become those on their paths,
             speeds and accelerations, shape (4, k).
-        room: to work in, shape (COEFFICIENTS, n).
+        work: to work in, shape (COEFFICIENTS, n).
         points: where all goes, shape (3, k, n).
     """
-    _walk(first, pieces, rows, slopes, law, law.shape[1], room, 0, points)
+    _walk(first, path_segments, rows, slopes, law, law.shape[1], work, 0, points)
 
 
 def _walk(
     first: int,
-    pieces: Array,
+    path_segments: Array,
     rows: Array,
     slopes: Array,
     law: Array,
     count: int,
-    room: Array,
+    work: Array,
     row: int,
     total: Array,
 ) -> None:
@@ -131,33 +131,33 @@ def _walk(
         end = begin + 1
         while end < count and law[PIECE, end] == law[PIECE, begin]:
             end += 1
-        piece = pieces[first + int(law[PIECE, begin])]
+        path_segment = path_segments[first + int(law[PIECE, begin])]
         for k in range(begin, end):
-            law[PLACE, k] += piece[BEGIN]
-        _in_time(piece, rows, slopes, law, begin, end, room, row, total)
+            law[PLACE, k] += path_segment[BEGIN]
+        _in_time(path_segment, rows, slopes, law, begin, end, work, row, total)
         begin = end
 
 
 def _in_time(
-    piece: Array,
+    path_segment: Array,
     rows: Array,
     slopes: Array,
     law: Array,
     first: int,
     until: int,
-    room: Array,
+    work: Array,
     at: int,
     total: Array,
 ) -> None:
     """Write the joints and their derivatives by time at times on one path."""
-    row, count, kind = int(piece[FIRST_ROW]), int(piece[ROWS]), int(piece[KIND])
+    row, count, kind = int(path_segment[FIRST_ROW]), int(path_segment[ROWS]), int(path_segment[KIND])
     own = rows[row : row + count]
     if kind == TRACED:
-        slope = int(piece[FIRST_SLOPE])
+        slope = int(path_segment[FIRST_SLOPE])
         d1, d2 = slopes[0, slope : slope + count], slopes[1, slope : slope + count]
-        traced_in_time(own, d1, d2, (count - 1) / piece[LENGTH], law, first, until, room, at, total)
+        traced_in_time(own, d1, d2, (count - 1) / path_segment[LENGTH], law, first, until, work, at, total)
     elif kind == SYNCHRONISED:
-        joints_in_time(own[0], own[1], own[2:], piece[LENGTH], law, first, until, at, total)
+        joints_in_time(own[0], own[1], own[2:], path_segment[LENGTH], law, first, until, at, total)
     else:
         line_in_time(own[0], own[1], law, first, until, at, total)
 

@@ -26,21 +26,21 @@ class TrajectoryTable:
     rows: Array
     slopes: Array
 
-    def timed(self, course: Timing) -> "TrajectoryTable":
+    def timed(self, timing: Timing) -> "TrajectoryTable":
         """Return the table of a course with the same pieces and other times."""
-        return TrajectoryTable(course.table, course.segments, self.pieces, self.rows, self.slopes)
+        return TrajectoryTable(timing.table, timing.segments, self.pieces, self.rows, self.slopes)
 
 
-def trajectory_table(course: Timing) -> TrajectoryTable | None:
+def trajectory_table(timing: Timing) -> TrajectoryTable | None:
     """Return the table of the sections of a timing; None if compiled loops do not support a path.
 
     Args:
-        course: of one run or more.
+        timing: of one run or more.
     """
     numbers, rows, slopes, row, slope = list[float](), list[Array](), list[Array](), 0, 0
-    for run in course.runs:
-        for piece in run.pieces:
-            path = rows_of_path(piece.joints)
+    for section in timing.runs:
+        for path_segment in section.pieces:
+            path = rows_of_path(path_segment.joints)
             if path is None:
                 return None
             kind, begin, length, size, joints, changes = path
@@ -50,6 +50,6 @@ def trajectory_table(course: Timing) -> TrajectoryTable | None:
             if changes is not None:
                 slopes.append(changes)
                 slope += size
-    pieces, at = np.fromiter(numbers, np.float64).reshape(-1, 6), np.concatenate(rows).reshape(row, -1)
+    path_segments, at = np.fromiter(numbers, np.float64).reshape(-1, 6), np.concatenate(rows).reshape(row, -1)
     along = np.concatenate(slopes, axis=1) if slopes else np.empty((2, 0, at.shape[1]))
-    return TrajectoryTable(course.table, course.segments, pieces, at, along)
+    return TrajectoryTable(timing.table, timing.segments, path_segments, at, along)

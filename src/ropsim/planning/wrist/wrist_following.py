@@ -73,9 +73,9 @@ def wrist_joints(way: WristMotion, q: Array) -> JointPath:
     length, arm = way.path.length, _Arm(way.robot, way.X_MT)
     whole, step = SampledPath(length, q), length / (len(q) - 1)
     places = np.arange(1.0, len(q) - 1.0, 2.0) * step
-    rough = np.abs(SampledPath(length, q[::2]).joints(places).q - q[1:-1:2]).max(axis=1)
+    error = np.abs(SampledPath(length, q[::2]).joints(places).q - q[1:-1:2]).max(axis=1)
     begins, parts = [], []
-    for first, last in rough_parts(rough > SMOOTH):
+    for first, last in rough_parts(error > SMOOTH):
         begin, end = first * step, last * step
         lead = _densely(arm, way, q[first : last + 1], (begin, end), _MOST)
         part = SampledPath(end - begin, lead.q)
