@@ -43,7 +43,7 @@ def _way(v0: float, v1: float, acceleration: float, jerk: float) -> float:
 
 def _speeds(way: list[Interval], law: PiecewiseLaw) -> tuple[list[float], list[float]]:
     """Return ds/dt at the starts and at the ends of all pieces [1/s], the ends by the ratios."""
-    first = np.searchsorted(law.pieces, np.arange(len(way)))
+    first = np.searchsorted(law.path_segments, np.arange(len(way)))
     starts: list[float] = law.speeds[first].tolist()
     ends = [v / stage.ratio if stage.ratio else 0.0 for v, stage in zip(starts[1:], way[1:], strict=True)]
     return starts, [*ends, 0.0]
@@ -78,13 +78,13 @@ def test_bounds_hold_everywhere(way: list[Interval]) -> None:
     inside = np.concatenate([_inside(law, 20), joints, np.nextafter(joints, 0.0)])
     rows = law.at(inside)
     numbers = [(one.length, one.speed, one.acceleration, one.jerk) for one in way]
-    length, speed, acceleration, _ = np.array(numbers)[rows.pieces].T
+    length, speed, acceleration, _ = np.array(numbers)[rows.path_segments].T
     assert (rows.places >= 0.0).all()
     assert (rows.places <= length).all()
     assert (rows.speeds >= 0.0).all()
     assert (rows.speeds <= speed * (1.0 + ROUNDING)).all()
     assert (np.abs(rows.accelerations) <= acceleration * (1.0 + ROUNDING)).all()
-    assert (np.abs(law.jerks) <= np.array(numbers)[law.pieces, 3]).all()
+    assert (np.abs(law.jerks) <= np.array(numbers)[law.path_segments, 3]).all()
 
 
 @settings(max_examples=examples(100), derandomize=True)
@@ -92,13 +92,15 @@ def test_bounds_hold_everywhere(way: list[Interval]) -> None:
 def test_place_speed_and_acceleration_go_on_from_segment_to_segment(way: list[Interval]) -> None:
     law = plan_time_law(way)
     _, times, places, speeds, accelerations, jerks, h, ends = law.segments
-    bounds = np.array([(one.length, one.speed, one.acceleration, one.ratio) for one in way])[law.pieces]
+    bounds = np.array([(one.length, one.speed, one.acceleration, one.ratio) for one in way])[
+        law.path_segments
+    ]
     length, speed, acceleration, ratio = bounds.T
     reached = places + h * (speeds + h * (accelerations / 2.0 + h * jerks / 6.0))
     v = speeds + h * (accelerations + h * jerks / 2.0)
     a = accelerations + h * jerks
     assert (np.abs(reached - ends) <= ROUNDING * length).all()
-    same = law.pieces[1:] == law.pieces[:-1]
+    same = law.path_segments[1:] == law.path_segments[:-1]
     assert (places[1:] == np.where(same, ends[:-1], 0.0)).all()
     assert (ends[:-1][~same] == length[:-1][~same]).all()
     factor = np.where(same, 1.0, ratio[1:])
@@ -121,8 +123,8 @@ def test_place_speed_and_acceleration_go_on_from_segment_to_segment(way: list[In
 def test_the_motion_never_goes_back(way: list[Interval]) -> None:
     law = plan_time_law(way)
     rows = law.at(np.linspace(0.0, law.duration, 2001))
-    gone = np.concatenate([[0.0], np.cumsum([one.length for one in way])])[rows.pieces] + rows.places
-    assert (np.diff(rows.pieces) >= 0).all()
+    gone = np.concatenate([[0.0], np.cumsum([one.length for one in way])])[rows.path_segments] + rows.places
+    assert (np.diff(rows.path_segments) >= 0).all()
     assert (np.diff(gone) >= -BOUNDS * gone[-1]).all()
 
 
@@ -279,7 +281,9 @@ def test_times_of_places_lead_back_to_the_places(way: list[Interval], shares: li
         rows = law.at(times)
         # Where the motion runs fast, a time that is rounded is a place that is rounded.
         slack = BOUNDS * one.length + 4.0 * np.spacing(law.duration) * one.speed
-        found = np.where(rows.pieces == piece, rows.places, np.where(rows.pieces > piece, one.length, 0.0))
+        found = np.where(
+            rows.path_segments == piece, rows.places, np.where(rows.path_segments > piece, one.length, 0.0)
+        )
         assert (np.abs(found - places) <= slack).all()
 
 

@@ -131,7 +131,7 @@ def tool_shares(robot: RobotModel, plan: MotionPlan) -> dict[str, float]:
     q = references(plan)[0]
     worst = dict.fromkeys(("speed", "acceleration", "jerk"), 0.0)
     begins = [0, *(move.last for move in plan.moves[:-1])]
-    for piece in plan.pieces:
+    for piece in plan.path_segments:
         if piece.path is None or piece.frame is not None or piece.last - piece.first < _FEWEST_TICKS:
             continue
         rows = q[piece.first + 1 : piece.last + 1]

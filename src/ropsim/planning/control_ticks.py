@@ -57,9 +57,9 @@ def in_ticks(
     """
     period, phi = chain.controller.rates.control_period, kept.phi[1:]
     reference = _to_rest(kept.rows, legs[-1].q_end, Ticks(period).count(kept.clock.duration))
-    at, ends = np.empty((len(timing.piece_ends) + len(timing.runs), 2)), np.empty(len(legs) - 1)
-    times = timing.table, timing.piece_ends, np.array(timing.ends[:-1]), phi, _SLACK * period
-    ticks_come(*times, at[: len(timing.piece_ends)], at[len(timing.piece_ends) :], ends)
+    at, ends = np.empty((len(timing.path_segment_ends) + len(timing.sections), 2)), np.empty(len(legs) - 1)
+    times = timing.table, timing.path_segment_ends, np.array(timing.ends[:-1]), phi, _SLACK * period
+    ticks_come(*times, at[: len(timing.path_segment_ends)], at[len(timing.path_segment_ends) :], ends)
     lasts = [0, *map(int, ends.tolist()), reference.ticks]
     moves, found = [], list(findings)
     for leg, zone, (first, last) in zip(legs, zones, pairwise(lasts), strict=True):
@@ -89,16 +89,16 @@ def _pieces(
             of each run with the one before.
     """
     path_segments, blends, number = [], [], 0
-    for section in timing.runs:
-        for path_segment in section.part.pieces:
+    for section in timing.sections:
+        for path_segment in section.part.path_segments:
             (first, last), along = ticks[number], path_segment.coordination
             path_segments.append(
                 _piece(path_segment.tool, path_segment.X_MT, first, last, along.frame if along else None)
             )
-            if path_segment.corner is not None:
+            if path_segment.blend is not None:
                 blends.append((first, last))
             number += 1
-    for section, (first, last) in zip(timing.runs, ticks[number:], strict=True):
+    for section, (first, last) in zip(timing.sections, ticks[number:], strict=True):
         if section.overlap > 0.0:
             blends.append((first, last))
     return tuple(path_segments), tuple(sorted(blends))

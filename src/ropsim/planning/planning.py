@@ -78,7 +78,7 @@ def plan(
         planned = _planned(chain, moves, state, payload)
         if isinstance(planned, MotionPlan):
             return planned, refusal
-        moves, refusal = moves[: planned.leg], planned.refusal
+        moves, refusal = moves[: planned.move_number], planned.refusal
     return None, refusal
 
 
@@ -87,11 +87,11 @@ class _Hurdle:
     """A move that cannot be made though its path is known.
 
     Attributes:
-        leg: its number.
+        move_number: its number.
         refusal: why.
     """
 
-    leg: int
+    move_number: int
     refusal: Refusal
 
 
@@ -111,16 +111,16 @@ def _planned(
     walks = segments_of(moves, blends)
     for path_segments, _ in walks:
         for path_segment in path_segments:
-            if path_segment.corner is None and (
-                refusal := standing_refusal(moves[path_segment.leg], path_segment)
+            if path_segment.blend is None and (
+                refusal := standing_refusal(moves[path_segment.move_number], path_segment)
             ):
-                return _Hurdle(path_segment.leg, refusal)
+                return _Hurdle(path_segment.move_number, refusal)
     rates = chain.controller.rates
     rules, period = TimingRules(TIME_LAWS[chain.time_law], chain.controller.look_ahead), rates.control_period
     chosen = by_tool(moves, blends, walks, rules)
     findings += (hint for one in chosen.stops for hint in stopped(moves[one].move, Stop.QUICKER))
-    timing = chosen.course
-    if not timing.runs:
+    timing = chosen.timing
+    if not timing.sections:
         return standing(moves, state.q, period, findings)
     if late := _late(moves, timing.ends):
         return _too_long(moves, *late)
@@ -131,7 +131,7 @@ def _planned(
         bounds = beside_correction(bounds)
     by_joint_limits = by_joints(moves, chosen, bounds, Ticks(period, rates.interpolation_ticks), rules)
     findings += (hint for one in by_joint_limits.stops for hint in stopped(moves[one].move, Stop.SLOWED))
-    timing, kept = by_joint_limits.keeping.course, by_joint_limits.keeping.kept
+    timing, kept = by_joint_limits.keeping.timing, by_joint_limits.keeping.kept
     if isinstance(kept, Infeasible):
         number = move_at(timing.ends, kept.phi)
         return _Hurdle(number, beyond_refusal(moves[number], kept, chain.robot))

@@ -143,12 +143,12 @@ def standing_refusal(move: PlannedMove, path_segment: PathSegment) -> Refusal | 
     tool = move.planned.tool
     if tool is None or constant_derivatives(tool) is not None:
         return None
-    path_limits = path_segment.stages.rows
+    path_limits = path_segment.path_limits.rows
     if len(path_limits) == 1:
         _, v, a, j = path_limits[0].tolist()
         if _NOTHING < v < math.inf and _NOTHING < a < math.inf and _NOTHING < j < math.inf:
             return None
-    least = path_segment.stages.bounds.min(axis=1)
+    least = path_segment.path_limits.bounds.min(axis=1)
     wrong = np.flatnonzero(~((least > _NOTHING) & (least < math.inf)))
     if len(wrong) == 0:
         return None

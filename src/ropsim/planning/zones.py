@@ -96,12 +96,12 @@ def achieved_zones(
     zones = [one.zone if one else 0.0 for one in blends] + [0.0]
     sections = [
         (section, behind.start)
-        for section, behind in pairwise(motion.course.runs)
+        for section, behind in pairwise(motion.timing.sections)
         if section.part.over is not None
     ]
     if not sections:
         return zones
-    numbers = [section.part.pieces[-1].leg for section, _ in sections]
+    numbers = [section.part.path_segments[-1].move_number for section, _ in sections]
     q = motion.at(np.array([start for _, start in sections])).q
     tools = [moves[number].planned.X_MT for number in numbers]
     q = np.concatenate((q.reshape(-1), *(moves[number].q_end for number in numbers)))

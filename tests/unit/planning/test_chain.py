@@ -28,14 +28,14 @@ def off_line(matrices: Array, start: Array, end: Array) -> Array:
 def test_ptp_to_a_pose_ends_at_the_pose() -> None:
     goal = shifted(interface_pose(START), -0.1, 0.2, -0.05)
     move = planned(ptp(goal))
-    assert [piece.path for piece in move.pieces] == [None]
+    assert [piece.path for piece in move.path_segments] == [None]
     assert np.abs(interface_pose(move.q_end).matrix() - goal.matrix()).max() < AT_SAMPLES
 
 
 def test_lin_ends_at_the_pose() -> None:
     goal = shifted(interface_pose(START), 0.05, 0.1, -0.06)
     move = planned(lin(goal))
-    path = move.pieces[0].path
+    path = move.path_segments[0].path
     assert isinstance(path, Line)
     assert path.X_end == goal
     assert np.abs(interface_pose(move.q_end).matrix() - goal.matrix()).max() < AT_SAMPLES
@@ -53,7 +53,7 @@ def test_a_move_lasts_a_whole_number_of_interpolation_periods() -> None:
         move = planned(make(shifted(interface_pose(START), 0.05, 0.1, -0.06)))
         assert move.reference.ticks % TICKS == 0
         assert move.duration == pytest.approx(move.reference.ticks / 1000.0, abs=1e-12)
-        assert (move.moves[0].last, move.pieces[0].last) == (move.ticks, move.ticks)
+        assert (move.moves[0].last, move.path_segments[0].last) == (move.ticks, move.ticks)
 
 
 def test_moves_follow_each_other_without_a_jump() -> None:

@@ -179,14 +179,16 @@ def test_the_path_passes_corners_within_their_zones_and_goes_over_to_the_next_mo
 
 def test_lines_are_flown_between_their_zones_and_pieces_follow_each_other() -> None:
     done = planned_stretch(stretch("LIN"))
-    assert len(done.pieces) == 7  # four lines, three corners
-    assert [piece.first for piece in done.pieces[1:]] == [piece.last for piece in done.pieces[:-1]]
-    assert (done.pieces[0].first, done.pieces[-1].last) == (0, done.ticks)
+    assert len(done.path_segments) == 7  # four lines, three corners
+    assert [piece.first for piece in done.path_segments[1:]] == [
+        piece.last for piece in done.path_segments[:-1]
+    ]
+    assert (done.path_segments[0].first, done.path_segments[-1].last) == (0, done.ticks)
     places = forward_batch(PUMA, references(done)[0])[:, :3, 3]
-    for piece in done.pieces:
+    for piece in done.path_segments:
         assert piece.path is not None
         assert piece.path.distance(places[piece.first + 1 : piece.last]).max() < 1e-8
-    assert isinstance(done.pieces[2].path, ToolSection)
+    assert isinstance(done.path_segments[2].path, ToolSection)
 
 
 def test_a_stretch_with_zones_is_quicker_than_its_moves_one_by_one() -> None:
@@ -343,7 +345,7 @@ def test_a_move_that_leads_nowhere_is_a_part_of_the_plan_and_takes_no_time(mix: 
 
 def test_moves_that_all_lead_nowhere_take_no_time_and_keep_the_arm() -> None:
     done = planned_stretch([ptp(HERE, ZONE), lin(HERE, ZONE), ptp(HERE)])
-    assert (done.ticks, done.duration, done.pieces) == (0, 0.0, ())
+    assert (done.ticks, done.duration, done.path_segments) == (0, 0.0, ())
     assert done.q_end.tolist() == START.tolist()
     assert [one.last for one in done.moves] == [0, 0, 0]
 

@@ -331,10 +331,10 @@ def test_a_kind_of_path_is_a_function_and_an_entry_in_the_table_of_the_planner(
     goal = replace(forward(cell.first.robot, START), position=GOAL)
     done = plan_move(chain, MoveInstruction("WAVE", goal, ModalState()), first.q_end)
     assert isinstance(done, MotionPlan)
-    assert isinstance(done.pieces[0].path, Wave)
+    assert isinstance(done.path_segments[0].path, Wave)
     places = forward_batch(cell.first.robot, done.reference.q)[:, :3, 3]
-    assert 0.01 < done.pieces[0].path.line.distance(places).max() < 0.02
-    assert done.pieces[0].path.distance(places).max() < 1e-3  # half of the way between 2,001 places
+    assert 0.01 < done.path_segments[0].path.line.distance(places).max() < 0.02
+    assert done.path_segments[0].path.distance(places).max() < 1e-3  # half of the way between 2,001 places
     unknown = plan_move(chain_of(cell), MoveInstruction("WAVE", goal, ModalState()), first.q_end)
     assert isinstance(unknown, Refusal)
     assert unknown.diagnostics[0].code == "M561"

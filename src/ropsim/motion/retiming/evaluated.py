@@ -28,13 +28,13 @@ class Walked:
     """A motion in its motion time, at k control ticks.
 
     Attributes:
-        course: motion times [s], rates, and changes of these [1/s], shape (3, k).
+        timing: motion times [s], rates, and changes of these [1/s], shape (3, k).
         points: the joints by motion time.
         rows: coordinates, speeds and accelerations by real time.
         keeps_motion: whether joints clearly keep their limits of speed, acceleration and jerk.
     """
 
-    course: Array
+    timing: Array
     points: JointPoints
     rows: JointPoints
     keeps_motion: bool
@@ -95,7 +95,7 @@ def strain_of_walk(
         is_kept = _keeps(torque, rows, bounds.effort * _CLEARLY) and is_kept
     if is_kept:
         return None
-    going = Going(walk.points, motion.ways(walk.course[0]), walk.course, places, demand.still)
+    going = Going(walk.points, motion.ways(walk.timing[0]), walk.timing, places, demand.still)
     return strain(rows, torque, bounds, period, going, more)
 
 

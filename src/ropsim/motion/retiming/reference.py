@@ -25,13 +25,13 @@ class Reference:
         phi: motion times [s], shape (k,).
         rows: coordinates, speeds and accelerations by real time.
         torque: that they take [N m | N], shape (k, n); None where it does not count.
-        strain: utilisation of the limits.
+        utilisation: utilisation of the limits.
     """
 
     phi: Array
     rows: JointPoints
     torque: Array | None
-    strain: Utilisation
+    utilisation: Utilisation
 
 
 def as_planned(motion: Motion, bounds: JointBounds, effort: Effort | None, ticks: Ticks) -> Reference:
@@ -73,7 +73,7 @@ def loaded(planned: Reference, bounds: JointBounds, effort: Effort | None) -> Re
     if effort is None or bounds.effort is None:
         return planned
     torque = told_torques(effort, rows.q, rows.d1, rows.d2)
-    return Reference(planned.phi, rows, torque, with_torque(planned.strain, rows, torque, bounds))
+    return Reference(planned.phi, rows, torque, with_torque(planned.utilisation, rows, torque, bounds))
 
 
 def _check(duration: float, period: float) -> None:

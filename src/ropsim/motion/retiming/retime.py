@@ -81,7 +81,7 @@ def kept_from(
     """
     if not (math.isfinite(grid) and grid > 0.0):
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"grid {grid:g} s, allowed are numbers above 0"))
-    plain = planned.strain
+    plain = planned.utilisation
     if plain.is_kept:
         return RetimedTrajectory(unslowed(motion.duration), (), planned.phi, planned.rows)
     places, points = places_of(motion, bounds, grid, planned.phi, plain.rates)
@@ -117,7 +117,7 @@ def _slowed(
         found = strain_of_walk(walk, motion, planned, places, period, more)
         if found is None or found.is_kept:
             if planned is requested or keeps_torque(walk.rows, requested.bounds, requested.effort):
-                return RetimedTrajectory(clock, _parts(clock, planned, period), walk.course[0], walk.rows)
+                return RetimedTrajectory(clock, _parts(clock, planned, period), walk.timing[0], walk.rows)
             planned = requested
             courses.plan_with(planned)
             continue
@@ -137,7 +137,7 @@ def _slower(
         walk = walked(motion, clock, requested.bounds, ticks)
         found = strain_of_walk(walk, motion, requested, places, ticks.period, 0.0)
         if found is None or found.is_kept:
-            return RetimedTrajectory(clock, _parts(clock, requested, ticks.period), walk.course[0], walk.rows)
+            return RetimedTrajectory(clock, _parts(clock, requested, ticks.period), walk.timing[0], walk.rows)
         clock, extra = clock.slower(1.0 / (min(found.factor, 2.0) * (1.0 + extra))), 2.0 * extra
         if clock.duration - motion.duration > LONGEST_DELAY:
             return too_slow(

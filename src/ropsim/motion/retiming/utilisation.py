@@ -36,14 +36,14 @@ class Going:
     Attributes:
         points: the joints by motion time, k rows.
         ways: paths with separate limits, at the same ticks.
-        course: motion times [s], rates, and changes of these [1/s], shape (3, k).
+        timing: motion times [s], rates, and changes of these [1/s], shape (3, k).
         places: motion times between which excesses are expressed [s], rising, shape (m,).
         still: torque of creeping there [N m | N], shape (m, n), or (m, 0) where torque does not count.
     """
 
     points: JointPoints
     ways: Ways
-    course: Array
+    timing: Array
     places: Array
     still: Array
 
@@ -166,7 +166,7 @@ def strain(
     ways, qd, qdd = going.ways, rows.d1, rows.d2
     if ways.speeds.shape[1]:
         of_ways = np.empty((2, *ways.speeds.shape))
-        by_real_time(ways.speeds, ways.accelerations, going.course, of_ways)
+        by_real_time(ways.speeds, ways.accelerations, going.timing, of_ways)
         qd, qdd = np.hstack((qd, of_ways[0])), np.hstack((qdd, of_ways[1]))
     first, second = ways.beside(going.points)
     used, peaks, lacks = np.zeros((4, k)), np.zeros(4), np.zeros((4, len(going.places)))
@@ -177,7 +177,7 @@ def strain(
         _limits(bounds, going, period),
     )
     inverse, out = np.empty((4, first.shape[1])), Used(used, peaks, lacks)
-    strain_of(load, path, going.course, grid, limits, 1.0 + ROUNDING, more, inverse, out)
+    strain_of(load, path, going.timing, grid, limits, 1.0 + ROUNDING, more, inverse, out)
     _check(rows, used)
     return Utilisation(used, peaks, lacks)
 
@@ -196,5 +196,5 @@ def _limits(bounds: JointBounds, going: Going, period: float) -> Array:
     limits = np.full((4, k, n + r), np.inf)
     limits[:, :, :n] = joints
     limits[1, :, n:] = np.maximum(ways.most_accelerations, np.abs(ways.accelerations))
-    limits[2, :, n:] = steps_allowed(ways, going.course[0], period)
+    limits[2, :, n:] = steps_allowed(ways, going.timing[0], period)
     return limits

@@ -16,13 +16,13 @@ class LawRows:
     """Where a motion is at k times, each of shape (k,).
 
     Attributes:
-        pieces: index of the piece.
+        path_segments: index of the piece.
         places: parameter s of that piece.
         speeds: ds/dt [1/s].
         accelerations: d²s/dt² [1/s²].
     """
 
-    pieces: Indices
+    path_segments: Indices
     places: Array
     speeds: Array
     accelerations: Array

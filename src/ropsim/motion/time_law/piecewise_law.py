@@ -34,7 +34,7 @@ class PiecewiseLaw:
         return float(self.ends[-1])
 
     @property
-    def pieces(self) -> Indices:
+    def path_segments(self) -> Indices:
         """Return the index of the piece of each segment, shape (m,)."""
         return np.asarray(self.segments[0], dtype=np.int64)
 

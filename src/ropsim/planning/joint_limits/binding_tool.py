@@ -59,7 +59,7 @@ def binding_of_tools(
     if not moves:
         return []
     starts, longest, idle = _counts(plan, moves, numbers, samples, robot)
-    may_bend = [one.path is not None and constant_derivatives(one.path) is None for one in plan.pieces]
+    may_bend = [one.path is not None and constant_derivatives(one.path) is None for one in plan.path_segments]
     found = []
     for (first, end), (quantity, most) in zip(pairwise(starts), longest, strict=True):
         bent = _bent_looks(plan, idle[int(first) : int(end)].tolist()) if any(may_bend) else 0
@@ -102,9 +102,11 @@ def _counts(
             one.X_MT.write_matrix(tools[number])
         if one.limits is not None:
             least[number] = _least(one.limits.tool, plan.period)
-    path_segments = np.array([(one.first, one.last) for one in plan.pieces], dtype=np.float64).reshape(-1, 2)
+    path_segments = np.array([(one.first, one.last) for one in plan.path_segments], dtype=np.float64).reshape(
+        -1, 2
+    )
     tool_on_pieces(poses, first, tools, ticks, path_segments, on)
-    for number, path_segment in enumerate(plan.pieces):
+    for number, path_segment in enumerate(plan.path_segments):
         if path_segment.frame is not None:
             four = np.repeat(on[:count] == number, 4)
             poses[four] = np.linalg.solve(path_segment.frame.matrices(rows[: 4 * count][four]), poses[four])
@@ -122,7 +124,7 @@ def _bent_looks(plan: MotionPlan, idle: list[float]) -> int:
     """
     bent = 0
     for number in set(idle):
-        path = plan.pieces[int(number)].path if number >= 0.0 else None
+        path = plan.path_segments[int(number)].path if number >= 0.0 else None
         if path is not None and _is_bent(path):
             bent += idle.count(number)
     return bent

@@ -26,9 +26,9 @@ class EvaluatedTrajectory:
     slowed: tuple[Slowed, ...]
 
     @property
-    def course(self) -> Timing:
+    def timing(self) -> Timing:
         """Return the course of the sequence."""
-        return self.motion.course
+        return self.motion.timing
 
     def loaded(self, arm: ArmBounds) -> "EvaluatedTrajectory":
         """Return the same with the torques that it takes, where they count."""

@@ -56,14 +56,14 @@ def fitted(
         ticks: of control.
         rules: time law and look-ahead.
     """
-    if planned.reference.strain.is_kept:
+    if planned.reference.utilisation.is_kept:
         planned = planned.at_each(ticks, arm)
-    if not any(section.part.leads_tool for section in planned.course.runs):
+    if not any(section.part.leads_tool for section in planned.timing.sections):
         return planned.loaded(arm)
-    if planned.reference.torque is None and not planned.reference.strain.is_kept:
+    if planned.reference.torque is None and not planned.reference.utilisation.is_kept:
         return _fitted(planned, arm, replace(arm, effort=None), ticks, rules)
     heavy = planned.loaded(arm)
-    if heavy.reference.strain.is_kept or _is_too_heavy(heavy.reference, arm):
+    if heavy.reference.utilisation.is_kept or _is_too_heavy(heavy.reference, arm):
         return heavy
     return _fitted(heavy, arm, arm, ticks, rules)
 
@@ -80,26 +80,26 @@ def _fitted(
             continue
         if not exceeded and looked_at is not arm:
             now, looked_at = now.loaded(arm), arm
-            if not now.reference.strain.is_kept:
+            if not now.reference.utilisation.is_kept:
                 heavy = planned.loaded(arm)
-                if heavy.reference.strain.peaks[_TORQUE] > 1.0:
+                if heavy.reference.utilisation.peaks[_TORQUE] > 1.0:
                     return fitted(heavy, arm, ticks, rules)
                 continue
         if not exceeded:
-            return replace(now, slowed=slowed_in(planned.course, now.course, grid))
-        changed = [section.part for section in now.course.runs]
+            return replace(now, slowed=slowed_in(planned.timing, now.timing, grid))
+        changed = [section.part for section in now.timing.sections]
         for number, found in exceeded.items():
             own = grid.get(number) or _bands(planned, number, times)
             if attempt < _ATTEMPTS:
                 aim = Aim(looked_at, now.ticks.period, 1.0 - _LESS * (1 + attempt), rules)
                 grid[number], changed[number] = slower_run(now.motion, now.reference, number, own, found, aim)
             else:
-                grid[number] = own.slower(1.0 / (now.reference.strain.factor * (1.0 + _LESS)))
+                grid[number] = own.slower(1.0 / (now.reference.utilisation.factor * (1.0 + _LESS)))
                 changed[number] = grid[number].replanned(rules)
             if grid[number].share < _LEAST:
                 return planned.loaded(arm)
-        timing = timing_of(changed, len(planned.course.ends))
-        if timing.duration - planned.course.duration > LONGEST_DELAY:
+        timing = timing_of(changed, len(planned.timing.ends))
+        if timing.duration - planned.timing.duration > LONGEST_DELAY:
             return planned.loaded(arm)
         now = as_bounds_allow(now.motion.timed(timing), looked_at, ticks)
     return planned.loaded(arm)
@@ -113,28 +113,28 @@ def _is_too_heavy(reference: Reference, arm: ArmBounds) -> bool:
 
 def _band_times(fit: EvaluatedTrajectory) -> Array:
     """Return motion times between which bands lie [s], rising, shape (m,)."""
-    reference, duration = fit.reference, fit.course.duration
+    reference, duration = fit.reference, fit.timing.duration
     count = max(math.ceil(duration / _SPACING), _FEWEST)
     ways, times, result = np.empty((2, count)), np.empty(MOST_PARTS * count + 1), np.empty(1)
-    band_times(reference.strain.used, reference.phi, duration, ways, times, result)
+    band_times(reference.utilisation.used, reference.phi, duration, ways, times, result)
     return times[: int(result[0])]
 
 
 def _bands(planned: EvaluatedTrajectory, number: int, times: Array) -> LimitGrid:
     """Return the grid of limits of a planned section, between times, see `_band_times`."""
-    section = planned.course.runs[number]
+    section = planned.timing.sections[number]
     return limit_grid_of(section.part, times, section.start)
 
 
 def _exceeding(fit: EvaluatedTrajectory) -> dict[int, Array]:
     """Return the ticks, without 0, of exceeded limits in sections with path limits, by section."""
-    reference, sections = fit.reference, fit.course.runs
+    reference, sections = fit.reference, fit.timing.sections
     table = fit.motion.table
-    spans = table.runs if table else np.array([(section.start, section.end) for section in sections])
+    spans = table.sections if table else np.array([(section.start, section.end) for section in sections])
     ticks, result = np.empty(len(reference.phi)), np.empty((len(sections), 2))
-    exceeding(reference.strain.used, 1.0 + ROUNDING, reference.phi, spans, ticks, result)
+    exceeding(reference.utilisation.used, 1.0 + ROUNDING, reference.phi, spans, ticks, result)
     return {
         number: ticks[int(first) : int(until)]
         for number, (first, until) in enumerate(result.tolist())
-        if first < until and sections[number].part.has_stages
+        if first < until and sections[number].part.has_path_limits
     }

@@ -83,7 +83,7 @@ class LimitGrid:
         stages_of(self.borders, self.bounds, self.owners, self.legs, rules.look_ahead, rows, counts, result)
         rows = rows[: int(result[0])]
         path_limits, law = PathLimits(rows[:, :4]), rules.law(rows, counts)
-        return Section(self.part.pieces, path_limits, counts.astype(np.intp), law, self.part.over)
+        return Section(self.part.path_segments, path_limits, counts.astype(np.intp), law, self.part.over)
 
     def with_bounds(self, bounds: Array, causes: Array, share: float) -> "LimitGrid":
         """Return the same with other bounds and causes, of which a band has the least share of its rate."""
@@ -107,14 +107,14 @@ def limit_grid_of(part: Section, times: Array, start: float) -> LimitGrid:
     # rooms of a part are as large as that, not as the stretch: rounding may take one time more at each end
     first, last = times.searchsorted((start, start + part.law.duration)).tolist()
     times = times[max(first - 1, 0) : last + 1]
-    count, rows, counts = len(times), part.stages.rows, part.counts.astype(np.float64)
+    count, rows, counts = len(times), part.path_limits.rows, part.counts.astype(np.float64)
     out = GridLines(np.empty(len(counts) + 1), np.empty((6, count + len(rows) + 1)), np.empty(1))
     section, work = SectionTimes(part.law.segments, part.law.ends, start), np.empty((5, count))
     lay_grid(section, times, np.ascontiguousarray(rows), counts, _SAME_PLACE, work[0], work[1:], out)
     begins, grid = out.begins, out.cells
     c, moves = (
         int(out.total[0]),
-        np.array([path_segment.leg for path_segment in part.pieces], dtype=np.float64),
+        np.array([path_segment.move_number for path_segment in part.path_segments], dtype=np.float64),
     )
     borders, reached, owners = grid[PLACE, : c + 1], grid[TIME, : c + 1], grid[PIECE, :c]
     bounds = grid[FIRST_BOUND:PIECE, :c].copy()

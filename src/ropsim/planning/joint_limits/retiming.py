@@ -41,9 +41,9 @@ class Retiming:
     slowed: tuple[Slowed, ...]
 
     @property
-    def course(self) -> Timing:
+    def timing(self) -> Timing:
         """Return the course of the sequence."""
-        return self.motion.course
+        return self.motion.timing
 
     @property
     def duration(self) -> float:
@@ -53,7 +53,7 @@ class Retiming:
     @property
     def ends(self) -> tuple[float, ...]:
         """Return the times at which the moves end [s]; infinity where there is no motion."""
-        ends = self.course.ends
+        ends = self.timing.ends
         if isinstance(self.kept, RetimedTrajectory):
             return tuple(self.kept.clock.times_of(ends).tolist())
         return (float("inf"),) * len(ends)
@@ -75,14 +75,14 @@ def retimed(timing: Timing, arm: ArmBounds, ticks: Ticks, rules: TimingRules) ->
     planned = as_bounds_allow(Trajectory.on(timing), replace(arm, effort=None), first)
     fit = fitted(planned, arm, ticks, rules)
     quick = _keeping(fit, arm, ticks)
-    if fit.motion is planned.motion or quick.duration <= _LONGER * planned.course.duration:
+    if fit.motion is planned.motion or quick.duration <= _LONGER * planned.timing.duration:
         return quick
     return min(quick, _keeping(planned.loaded(arm), arm, ticks), key=lambda one: one.duration)
 
 
 def _keeping(fit: EvaluatedTrajectory, arm: ArmBounds, ticks: Ticks) -> Retiming:
-    is_led = any(section.part.leads_tool for section in fit.course.runs)
-    is_heavy = fit.reference.strain.used[_TORQUE].max() > 1.0
+    is_led = any(section.part.leads_tool for section in fit.timing.sections)
+    is_heavy = fit.reference.utilisation.used[_TORQUE].max() > 1.0
     spacing = _NARROW_SPACING if is_led or is_heavy else _SPACING
     kept = kept_from(fit.reference, fit.motion, arm.joints, arm.effort, ticks, spacing)
     return Retiming(

@@ -25,7 +25,7 @@ def slowed_in(planned: Timing, timing: Timing, bands: Mapping[int, LimitGrid]) -
     for number, own in sorted(bands.items()):
         if own.bounds is own.planned:
             continue
-        section, count, law = timing.runs[number], len(own.owners), planned.runs[number].law
+        section, count, law = timing.sections[number], len(own.owners), planned.sections[number].law
         work, spans, total = np.empty((4, 2 * count)), np.empty((4, count)), np.empty(1)
         borders, bounds = (own.borders, own.times, own.owners, own.begins), (own.planned, own.bounds)
         grid, most = GridNumbers(*borders, *bounds, own.causes), float(law.speeds.max())

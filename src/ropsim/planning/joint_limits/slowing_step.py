@@ -49,13 +49,13 @@ def slower_run(
 
 def _walked(motion: Trajectory, reference: Reference, number: int, begins: Array, ticks: Array) -> Walked:
     """Return the path of a section at ticks and at the ticks before them."""
-    run, b = motion.course.runs[number], len(ticks)
+    run, b = motion.timing.sections[number], len(ticks)
     rows, law, places = reference.rows, np.empty((5, 2 * b)), np.empty((2, b))
     joints, qdd = np.empty((2, 2, b, rows.q.shape[1]))
     section = SectionLaw(run.law.segments, run.law.duration, run.start, begins)
     references = ReferenceRows(reference.phi, rows.q, rows.d1, rows.d2)
     evaluate_section(section, references, ticks, np.empty(2 * b), AtTicks(law, places, joints, qdd))
-    points = motion.on_run(number, LawRows(law[0].astype(np.int64), law[1], law[2], law[3]))
+    points = motion.on_section(number, LawRows(law[0].astype(np.int64), law[1], law[2], law[3]))
     pairs = qdd.shape
     return Walked(
         places,

@@ -81,7 +81,7 @@ class MotionPlan:
 
     Attributes:
         moves: in order; the last one stops.
-        pieces: in order of time.
+        path_segments: in order of time.
         q_start: command joint coordinates at its start [rad | m], shape (n,).
         reference: for the control ticks 1, 2, … of the plan.
         period: time of a control tick [s].
@@ -90,7 +90,7 @@ class MotionPlan:
     """
 
     moves: tuple[TimedMove, ...]
-    pieces: tuple[TimedSegment, ...]
+    path_segments: tuple[TimedSegment, ...]
     q_start: Array
     reference: JointReference
     period: float

@@ -24,14 +24,14 @@ class ByTool:
     Attributes:
         stops: numbers of points that became stops.
         corners: that are left.
-        course: of the sequence with them.
+        timing: of the sequence with them.
         alone: times that the moves take from rest to rest, at least [s].
         times: of moves from rest to rest with the corners between them.
     """
 
     stops: tuple[int, ...]
     corners: Blends
-    course: Timing
+    timing: Timing
     alone: tuple[float, ...]
     times: Times
 
@@ -94,7 +94,7 @@ def by_joints(
 
     blends = chosen.corners
     stops: tuple[int, ...] = ()
-    retiming = retimed(chosen.course, arm, ticks, rules)
+    retiming = retimed(chosen.timing, arm, ticks, rules)
     times = arm_times(moves, blends, rules, chosen.times, arm, ticks)
     while more := quicker_stops(blends, retiming.ends, chosen.alone, times):
         blends, stops = without(blends, more), (*stops, *more)

@@ -27,13 +27,13 @@ def times_alone(
     """
     found: dict[int, float] = {}
     for part in parts:
-        for path_segment in part.pieces:
-            path = moves[path_segment.leg].joints
-            if path_segment.corner is not None or path is None or not path_segment.is_even:
+        for path_segment in part.path_segments:
+            path = moves[path_segment.move_number].joints
+            if path_segment.blend is not None or path is None or not path_segment.is_even:
                 continue
-            is_whole = len(part.pieces) == 1 and path_segment.joints is path
-            found[path_segment.leg] = (
-                part.law.duration if is_whole else _even_time(path_segment.stages, path.length, rules)
+            is_whole = len(part.path_segments) == 1 and path_segment.joints is path
+            found[path_segment.move_number] = (
+                part.law.duration if is_whole else _even_time(path_segment.path_limits, path.length, rules)
             )
     for number, move in enumerate(moves):
         if own := own_law_of(move.joints):

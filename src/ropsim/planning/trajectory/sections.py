@@ -34,33 +34,33 @@ class Section:
     """Segments traversed together from rest to rest, and their timing.
 
     Attributes:
-        pieces: in order.
-        stages: with which they are planned, of all pieces in a row; none where the path is one of time.
+        path_segments: in order.
+        path_limits: with which they are planned, of all pieces in a row; none where the path is one of time.
         counts: how many stages each piece has, shape (p,).
         law: time law along them; it counts segments, regardless of the path limits of each.
         over: how it goes over into the next one; None where it stops.
     """
 
-    pieces: tuple[PathSegment, ...]
-    stages: PathLimits
+    path_segments: tuple[PathSegment, ...]
+    path_limits: PathLimits
     counts: Counts
     law: TimeLaw
     over: JointSpaceBlend | None
 
     @property
-    def has_stages(self) -> bool:
+    def has_path_limits(self) -> bool:
         """Return whether its time law is planned with stages; else its path is one of time."""
-        return len(self.stages) > 0
+        return len(self.path_limits) > 0
 
     @property
     def leads_tool(self) -> bool:
         """Return whether it is on a path of the tool, so that limits of the tool hold."""
-        return self.pieces[0].tool is not None
+        return self.path_segments[0].tool is not None
 
     @property
     def borders(self) -> Array:
         """Return the places at which pieces begin, from the start on, and the end of the last, (p + 1,)."""
-        ends = np.append(0.0, self.stages.ends)
+        ends = np.append(0.0, self.path_limits.ends)
         return np.asarray(ends[np.append(0, np.cumsum(self.counts))])
 
 
@@ -85,10 +85,10 @@ def section_of(
         rules: time law and look-ahead.
     """
     if own := own_law_of(path_segments[0].joints):
-        return Section(tuple(path_segments), path_segments[0].stages, _NOTHING, own, over)
-    rows = [path_segment.stages.rows for path_segment in path_segments]
+        return Section(tuple(path_segments), path_segments[0].path_limits, _NOTHING, own, over)
+    rows = [path_segment.path_limits.rows for path_segment in path_segments]
     counts = np.array([len(each) for each in rows])
-    path_limits = PathLimits(np.concatenate(rows)) if len(rows) > 1 else path_segments[0].stages
+    path_limits = PathLimits(np.concatenate(rows)) if len(rows) > 1 else path_segments[0].path_limits
     return planned_section(path_segments, path_limits, counts, over, rules)
 
 
@@ -111,7 +111,7 @@ def planned_section(
     bounds = np.empty((len(path_limits), 6))
     bounds[:, :4] = path_limits.rows
     moves, many = (
-        np.array([path_segment.leg for path_segment in path_segments], np.float64),
+        np.array([path_segment.move_number for path_segment in path_segments], np.float64),
         counts.astype(np.float64),
     )
     lay_horizons(moves, many, rules.look_ahead, bounds)
@@ -133,4 +133,8 @@ def _quickest(
 
 def _gentler(path_segment: PathSegment, number: int) -> PathSegment:
     last = len(path_segment.gentler) - 1
-    return path_segment if last < 0 else replace(path_segment, stages=path_segment.gentler[min(number, last)])
+    return (
+        path_segment
+        if last < 0
+        else replace(path_segment, path_limits=path_segment.gentler[min(number, last)])
+    )

@@ -35,23 +35,23 @@ class PathSegment:
     """A part of the course.
 
     Attributes:
-        leg: number of the move that it belongs to; a corner belongs to the move before it.
+        move_number: number of the move that it belongs to; a corner belongs to the move before it.
         joints: its path in joint space.
         tool: its path of the tool, in the base frame or that of the coordination; None without one.
         X_MT: the tool.
-        stages: bounds along it, part by part; none where it has a time law of its own.
-        corner: that it leads round; None for a part of the path of a move.
+        path_limits: bounds along it, part by part; none where it has a time law of its own.
+        blend: that it leads round; None for a part of the path of a move.
         coordination: external axes that go along with the path of the tool; None where they stand.
         begin: place at which it begins on the path of its move, in the unit of that; 0 for a corner.
         gentler: other bounds along it, with less speed and more acceleration in its bends.
     """
 
-    leg: int
+    move_number: int
     joints: JointPath
     tool: ToolPath | None
     X_MT: Pose
-    stages: PathLimits
-    corner: CartesianBlend | None = None
+    path_limits: PathLimits
+    blend: CartesianBlend | None = None
     coordination: Coordination | None = None
     begin: float = 0.0
     gentler: tuple[PathLimits, ...] = ()
@@ -59,7 +59,7 @@ class PathSegment:
     @property
     def is_even(self) -> bool:
         """Return whether the same bounds hold all along it, and no others can be chosen."""
-        return len(self.stages.rows) == 1 and not self.gentler
+        return len(self.path_limits.rows) == 1 and not self.gentler
 
 
 _piece, _section = maker(PathSegment), maker(JointSection)

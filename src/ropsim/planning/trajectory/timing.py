@@ -34,9 +34,9 @@ class TimedSection:
     end: float
 
     @property
-    def pieces(self) -> tuple[PathSegment, ...]:
+    def path_segments(self) -> tuple[PathSegment, ...]:
         """Return its pieces in order."""
-        return self.part.pieces
+        return self.part.path_segments
 
     @property
     def law(self) -> TimeLaw:
@@ -52,24 +52,24 @@ class Timing:
     """All runs of a sequence.
 
     Attributes:
-        runs: in order; none where nothing moves.
+        sections: in order; none where nothing moves.
         ends: motion times at which the moves end [s]: in the middle of their corners, or where they stop.
         table: the runs as numbers: start, end and duration [s], first segment, segments, first piece, and
             overlap [s] of each, shape (r, 7).
         segments: of all time laws, see `TimeLaw`, shape (8, m).
-        piece_ends: times of these laws at which their pieces end [s], shape (p,).
+        path_segment_ends: times of these laws at which their pieces end [s], shape (p,).
     """
 
-    runs: tuple[TimedSection, ...]
+    sections: tuple[TimedSection, ...]
     ends: tuple[float, ...]
     table: Array
     segments: Array
-    piece_ends: Array
+    path_segment_ends: Array
 
     @property
     def duration(self) -> float:
         """Return the motion time from start to end [s]."""
-        return self.runs[-1].end if self.runs else 0.0
+        return self.sections[-1].end if self.sections else 0.0
 
     def alone(self, number: int) -> tuple[float, float]:
         """Return the nominal times between which no other section overlaps one [s].
@@ -77,7 +77,7 @@ class Timing:
         Args:
             number: of the run.
         """
-        section, behind = self.runs[number], self.runs[number + 1 : number + 2]
+        section, behind = self.sections[number], self.sections[number + 1 : number + 2]
         return section.start + section.overlap, section.end - (behind[0].overlap if behind else 0.0)
 
 
@@ -93,8 +93,8 @@ def timing_of(parts: Sequence[Section], moves: int) -> Timing:
     numbers = list[float]()
     for part in parts:
         over = part.over
-        left = (over.leave - part.pieces[-1].begin, over.enter) if over else _STOP
-        numbers += (part.law.segments.shape[1], len(part.pieces), *left)
+        left = (over.leave - part.path_segments[-1].begin, over.enter) if over else _STOP
+        numbers += (part.law.segments.shape[1], len(part.path_segments), *left)
     segments = np.concatenate([part.law.segments for part in parts], 1)
     ends, requested = np.concatenate([part.law.ends for part in parts]), np.fromiter(numbers, np.float64)
     table, times = np.empty((len(parts), 7)), np.empty((len(parts), 3))
@@ -108,11 +108,11 @@ def _ends(sections: Sequence[TimedSection], moves: int) -> list[float]:
     """Return the motion times at which moves end [s], see `Timing`."""
     ends = [0.0] * moves
     for section, overlap in zip(sections, (*[section.overlap for section in sections[1:]], 0.0), strict=True):
-        path_segments = section.part.pieces
+        path_segments = section.part.path_segments
         if len(path_segments) > 1:  # a corner lies between two others
-            blends = [number for number, path_segment in enumerate(path_segments) if path_segment.corner]
+            blends = [number for number, path_segment in enumerate(path_segments) if path_segment.blend]
             halves = [path_segments[number].joints.length / 2.0 for number in blends]
             for number, middle in zip(blends, section.law.times_of(blends, halves).tolist(), strict=True):
-                ends[path_segments[number].leg] = section.start + middle
-        ends[path_segments[-1].leg] = section.end - 0.5 * overlap
+                ends[path_segments[number].move_number] = section.start + middle
+        ends[path_segments[-1].move_number] = section.end - 0.5 * overlap
     return list(accumulate(ends, max))

@@ -110,7 +110,7 @@ def ticks_come(
 
     Args:
         sections: see `Course.table`, shape (r, 7).
-        piece_ends: see `Course.piece_ends`, shape (p,).
+        piece_ends: see `Course.path_segment_ends`, shape (p,).
         move_ends: motion times at which moves end [s], shape (m,).
         phi: motion times at the control ticks 1, 2, … [s], shape (ticks,).
         slack: by which motion times may be off [s].

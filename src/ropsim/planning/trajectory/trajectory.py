@@ -26,12 +26,12 @@ class Trajectory:
     q_before + q_behind - q_corner.
 
     Attributes:
-        course: the runs.
+        timing: the runs.
         corners: joint coordinates where one run ends and the next one has begun [rad | m], shape (r - 1, n).
         table: the sections as numbers; None if one has a path that compiled loops do not support.
     """
 
-    course: Timing
+    timing: Timing
     corners: Array
     table: TrajectoryTable | None
 
@@ -40,7 +40,7 @@ class Trajectory:
         """Return the motion on a course."""
         table = trajectory_table(timing)
         corners = (
-            _corners(timing, table) if table else frozen([_end(section) for section in timing.runs[:-1]])
+            _corners(timing, table) if table else frozen([_end(section) for section in timing.sections[:-1]])
         )
         return cls(timing, corners, table)
 
@@ -51,7 +51,7 @@ class Trajectory:
     @property
     def duration(self) -> float:
         """Return the motion time from start to end [s]."""
-        return self.course.duration
+        return self.timing.duration
 
     def at(self, phi: Array) -> JointPoints:
         """Return coordinates and their first two derivatives by time.
@@ -59,9 +59,11 @@ class Trajectory:
         Args:
             phi: motion times in rising order [s], shape (k,).
         """
-        sections = self.course.runs
+        sections = self.timing.sections
         if table := self.table:
-            numbers = TrajectoryNumbers(table.runs, table.segments, table.pieces, table.rows, table.slopes)
+            numbers = TrajectoryNumbers(
+                table.sections, table.segments, table.path_segments, table.rows, table.slopes
+            )
             requested, n = np.ascontiguousarray(phi, dtype=np.float64), table.rows.shape[1]
             total = np.empty((3, len(phi), n))
             evaluate_trajectory(numbers, self.corners, requested, TrajectoryWork.of(n), total)
@@ -77,24 +79,24 @@ class Trajectory:
             before = until
         return JointPoints(*total)
 
-    def on_run(self, number: int, rows: LawRows) -> JointPoints:
+    def on_section(self, number: int, rows: LawRows) -> JointPoints:
         """Return coordinates and their derivatives by the place where the time law of a run is.
 
         Args:
             number: of the run.
             rows: of its time law, in rising order, k of them.
         """
-        path_segments = self.course.runs[number].pieces
-        n = self.table.rows.shape[1] if self.table else len(_end(self.course.runs[number]))
+        path_segments = self.timing.sections[number].path_segments
+        n = self.table.rows.shape[1] if self.table else len(_end(self.timing.sections[number]))
         out = np.empty((3, len(rows.places), n))
         if table := self.table:
             law, room = np.empty((4, len(rows.places))), np.empty((COEFFICIENTS, out.shape[2]))
-            law[0], law[1], law[2], law[3] = rows.pieces, rows.places, 1.0, 0.0
-            first = int(table.runs[number, FIRST_PIECE])
-            points_on(first, table.pieces, table.rows, table.slopes, law, room, out)
+            law[0], law[1], law[2], law[3] = rows.path_segments, rows.places, 1.0, 0.0
+            first = int(table.sections[number, FIRST_PIECE])
+            points_on(first, table.path_segments, table.rows, table.slopes, law, room, out)
             return JointPoints(out[0], out[1], out[2])
-        for path_segment in np.unique(rows.pieces).tolist():
-            here = np.flatnonzero(rows.pieces == path_segment)
+        for path_segment in np.unique(rows.path_segments).tolist():
+            here = np.flatnonzero(rows.path_segments == path_segment)
             points = path_segments[path_segment].joints.joints(rows.places[here])
             out[:, here] = points.q, points.d1, points.d2
         return JointPoints(out[0], out[1], out[2])
@@ -105,13 +107,13 @@ class Trajectory:
         Args:
             phi: motion times in rising order [s], shape (k,).
         """
-        sections = self.course.runs
+        sections = self.timing.sections
         r = int(any(section.part.leads_tool for section in sections))
         evaluated, most = np.zeros((2, len(phi), r)), np.full((2, len(phi), r), np.inf)
         for number, section in enumerate(sections):
             if not section.part.leads_tool:
                 continue
-            first, until = np.searchsorted(phi, self.course.alone(number), "right").tolist()
+            first, until = np.searchsorted(phi, self.timing.alone(number), "right").tolist()
             first = first if number else 0
             rows = section.law.at(phi[first:until] - section.start)
             evaluated[:, first:until, 0] = rows.speeds, rows.accelerations
@@ -121,13 +123,15 @@ class Trajectory:
 
 def _corners(timing: Timing, table: TrajectoryTable) -> Array:
     """Return the joint coordinates at the ends of all runs but the last [rad | m], shape (r - 1, n)."""
-    sections = timing.runs[:-1]
+    sections = timing.sections[:-1]
     law, out = np.zeros((4, len(sections))), np.empty((3, len(sections), table.rows.shape[1]))
     law[PIECE], law[PLACE] = (
-        table.runs[1:, FIRST_PIECE] - 1.0,
-        [section.pieces[-1].joints.length for section in sections],
+        table.sections[1:, FIRST_PIECE] - 1.0,
+        [section.path_segments[-1].joints.length for section in sections],
     )
-    points_on(0, table.pieces, table.rows, table.slopes, law, np.empty((COEFFICIENTS, out.shape[2])), out)
+    points_on(
+        0, table.path_segments, table.rows, table.slopes, law, np.empty((COEFFICIENTS, out.shape[2])), out
+    )
     out.flags.writeable = False
     corners: Array = out[0]
     return corners
@@ -135,7 +139,7 @@ def _corners(timing: Timing, table: TrajectoryTable) -> Array:
 
 def _end(section: TimedSection) -> Array:
     """Return the joint coordinates at the end of a run [rad | m], shape (n,)."""
-    path = section.pieces[-1].joints
+    path = section.path_segments[-1].joints
     return np.ascontiguousarray(path.joints(np.array([path.length])).q[0])
 
 
@@ -151,11 +155,13 @@ def _walk(section: TimedSection, times: Array, row: int, shared: int, corner: Ar
         total: the motion, shape (3, m, n).
     """
     rows = section.law.at(times)
-    first, last = int(rows.pieces[0]), int(rows.pieces[-1])
+    first, last = int(rows.path_segments[0]), int(rows.path_segments[-1])
     cuts = [0, len(times)]
     if last > first:
-        cuts = np.searchsorted(rows.pieces, np.arange(first, last + 2)).tolist()
-    for path_segment, begin, end in zip(section.pieces[first : last + 1], cuts[:-1], cuts[1:], strict=True):
+        cuts = np.searchsorted(rows.path_segments, np.arange(first, last + 2)).tolist()
+    for path_segment, begin, end in zip(
+        section.path_segments[first : last + 1], cuts[:-1], cuts[1:], strict=True
+    ):
         if end > begin:
             here = slice(begin, end)
             points = path_segment.joints.joints(rows.places[here])
@@ -166,6 +172,6 @@ def _walk(section: TimedSection, times: Array, row: int, shared: int, corner: Ar
 
 def _most(section: TimedSection, rows: LawRows) -> Array:
     """Return the limits of acceleration and jerk on the path of a run, shape (2, k)."""
-    places = section.part.borders[rows.pieces] + rows.places
-    here = np.searchsorted(section.part.stages.ends[:-1], places, "right")
-    return section.part.stages.bounds[here, 1:].T
+    places = section.part.borders[rows.path_segments] + rows.places
+    here = np.searchsorted(section.part.path_limits.ends[:-1], places, "right")
+    return section.part.path_limits.bounds[here, 1:].T

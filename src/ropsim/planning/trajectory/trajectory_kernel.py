@@ -30,16 +30,16 @@ class TrajectoryNumbers(NamedTuple):
     """Numbers of a trajectory; see `TrajectoryTable`.
 
     Attributes:
-        runs: shape (r, 7).
+        sections: shape (r, 7).
         segments: of their time laws, shape (8, m).
-        pieces: path segments of all runs, shape (p, 6).
+        path_segments: path segments of all runs, shape (p, 6).
         rows: of their paths, shape (l, n).
         slopes: likewise, shape (2, l or fewer, n).
     """
 
-    runs: Array2
+    sections: Array2
     segments: Array2
-    pieces: Array2
+    path_segments: Array2
     rows: Array2
     slopes: Array3
 

@@ -12,23 +12,23 @@ class TrajectoryTable:
     """Runs with their time laws and paths.
 
     Attributes:
-        runs: see `Timing.table`, shape (r, 7).
+        sections: see `Timing.table`, shape (r, 7).
         segments: see `Timing.segments`, shape (8, m).
-        pieces: kind, place at which it begins, length of the path, first row, rows, and first slope of each
-            piece, see `PathRows`, shape (p, 6).
+        path_segments: kind, path parameter at its begin, length of the path, first row, rows, and first slope
+            of each, see `PathRows`, shape (p, 6).
         rows: of all paths, shape (k, n).
         slopes: their derivatives, shape (2, l, n).
     """
 
-    runs: Array
+    sections: Array
     segments: Array
-    pieces: Array
+    path_segments: Array
     rows: Array
     slopes: Array
 
     def timed(self, timing: Timing) -> "TrajectoryTable":
         """Return the table of a course with the same pieces and other times."""
-        return TrajectoryTable(timing.table, timing.segments, self.pieces, self.rows, self.slopes)
+        return TrajectoryTable(timing.table, timing.segments, self.path_segments, self.rows, self.slopes)
 
 
 def trajectory_table(timing: Timing) -> TrajectoryTable | None:
@@ -38,8 +38,8 @@ def trajectory_table(timing: Timing) -> TrajectoryTable | None:
         timing: of one run or more.
     """
     numbers, rows, slopes, row, slope = list[float](), list[Array](), list[Array](), 0, 0
-    for section in timing.runs:
-        for path_segment in section.pieces:
+    for section in timing.sections:
+        for path_segment in section.path_segments:
             path = rows_of_path(path_segment.joints)
             if path is None:
                 return None

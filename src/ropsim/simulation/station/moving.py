@@ -171,7 +171,7 @@ def _enter_paths(at: StationRun, planned: MotionPlan, follower: Follower) -> Non
     """Note which paths of the tool have been followed; the last one goes on while the arm settles."""
     come = follower.clock.place
     correction = follower.correcting.followed() if follower.correcting else None
-    for segment in planned.pieces:
+    for segment in planned.path_segments:
         if segment.path is None or segment.first >= come:
             continue
         end = follower.tick_at(segment.last) if segment.last < min(come, planned.ticks) else at.tick

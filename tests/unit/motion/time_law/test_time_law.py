@@ -89,7 +89,7 @@ def test_the_acceleration_is_taken_back_before_a_piece_that_bounds_it() -> None:
     first, second = law.at(law.ends[:-1]).accelerations
     assert first == pytest.approx(0.5, rel=ROUNDING)
     assert abs(second) <= 0.5 * (1.0 + ROUNDING)
-    assert np.abs(law.accelerations[law.pieces == 1]).max() <= 0.5 * (1.0 + ROUNDING)
+    assert np.abs(law.accelerations[law.path_segments == 1]).max() <= 0.5 * (1.0 + ROUNDING)
 
 
 def test_the_slower_piece_bounds_the_speed_where_two_meet() -> None:
@@ -107,7 +107,7 @@ def test_the_slower_piece_bounds_the_speed_where_two_meet() -> None:
 def test_a_ratio_carries_the_speed_into_the_unit_of_the_next_piece() -> None:
     law = plan_time_law([Interval(10.0, 1.0, 2.0, 8.0), Interval(10.0, 9.0, 20.0, 80.0, ratio=3.0)])
     just_before = law.at([np.nextafter(law.ends[0], 0.0)])
-    assert just_before.pieces.tolist() == [0]
+    assert just_before.path_segments.tolist() == [0]
     assert just_before.speeds[0] == pytest.approx(1.0, rel=ROUNDING)
     assert _speeds_at_ends(law) == pytest.approx([3.0], rel=ROUNDING)
 
@@ -149,7 +149,7 @@ def test_a_look_ahead_over_the_whole_way_is_none(ahead: int) -> None:
 def test_start_and_end_are_exact_and_the_motion_rests_outside() -> None:
     law = plan_time_law(WAY)
     rows = law.at([-1.0, 0.0, law.duration, law.duration + 1.0, math.inf])
-    assert rows.pieces.tolist() == [0, 0, 5, 5, 5]
+    assert rows.path_segments.tolist() == [0, 0, 5, 5, 5]
     assert rows.places.tolist() == [0.0, 0.0, 0.1, 0.1, 0.1]
     assert rows.speeds.tolist() == rows.accelerations.tolist() == [0.0] * 5
 
@@ -157,7 +157,7 @@ def test_start_and_end_are_exact_and_the_motion_rests_outside() -> None:
 def test_the_next_piece_has_begun_where_one_ends() -> None:
     law = plan_time_law(WAY)
     rows = law.at(law.ends[:-1])
-    assert rows.pieces.tolist() == [1, 2, 3, 4, 5]
+    assert rows.path_segments.tolist() == [1, 2, 3, 4, 5]
     assert rows.places.tolist() == rows.accelerations.tolist() == [0.0] * 5
     assert law.at(np.nextafter(law.ends, 0.0)).places == pytest.approx([one.length for one in WAY])
 
@@ -173,8 +173,8 @@ def test_segments_follow_each_other_in_time_and_in_order_of_the_pieces() -> None
     law = plan_time_law(WAY)
     assert law.times[0] == 0.0
     assert all(before < after for before, after in pairwise([*law.times.tolist(), law.duration]))
-    assert sorted(law.pieces.tolist()) == law.pieces.tolist()
-    assert set(law.pieces.tolist()) == set(range(len(WAY)))
+    assert sorted(law.path_segments.tolist()) == law.path_segments.tolist()
+    assert set(law.path_segments.tolist()) == set(range(len(WAY)))
     rows = law.at(law.times)
     for found, stored in (
         (rows.places, law.places),
@@ -207,7 +207,7 @@ def test_bounds_hold_where_a_piece_takes_no_longer_than_the_last_digit_of_the_ti
     assert law.ends[0] > 1e9
     times = law.ends[0] + np.spacing(law.ends[0]) * np.arange(20_000)
     rows = law.at(times)
-    assert len(set(rows.pieces.tolist())) >= 5
+    assert len(set(rows.path_segments.tolist())) >= 5
     assert np.abs(rows.accelerations).max() <= 1e3 * (1.0 + ROUNDING)
 
 
@@ -224,7 +224,7 @@ def test_times_of_places_are_those_at_which_the_motion_is_there(piece: int) -> N
     places = np.linspace(0.0, WAY[piece].length, 200)[1:-1]
     times = law.times_of(piece, places)
     rows = law.at(times)
-    assert (rows.pieces == piece).all()
+    assert (rows.path_segments == piece).all()
     assert rows.places == pytest.approx(places, rel=ROUNDING)
     assert (np.diff(times) > 0.0).all()
 
@@ -242,8 +242,8 @@ def test_told_in_longer_parts_it_is_the_same_motion() -> None:
     rows, told = law.at(t), parts.at(t)
     lengths = [one.length for one in WAY]
     before = np.array([0.0, 0.0, lengths[1], lengths[1] + lengths[2], 0.0, lengths[4]])
-    assert told.pieces.tolist() == np.array([0, 1, 1, 1, 2, 2])[rows.pieces].tolist()
-    np.testing.assert_allclose(told.places, rows.places + before[rows.pieces], rtol=ROUNDING)
+    assert told.path_segments.tolist() == np.array([0, 1, 1, 1, 2, 2])[rows.path_segments].tolist()
+    np.testing.assert_allclose(told.places, rows.places + before[rows.path_segments], rtol=ROUNDING)
     assert (told.speeds == rows.speeds).all()
     assert (told.accelerations == rows.accelerations).all()
     assert parts.ends.tolist() == law.ends[[0, 3, 5]].tolist()
@@ -260,9 +260,9 @@ def test_over_longer_pieces_places_are_counted_from_the_first_of_each(seed: int)
     firsts = np.append(0, np.cumsum(many[:-1]))
     ends = np.cumsum(rows[:, 0])
     begins = np.append(0.0, ends[:-1]) - np.repeat(np.append(0.0, ends)[firsts], many)
-    assert longer.pieces.tolist() == np.repeat(np.arange(5), many)[law.pieces].tolist()
-    assert longer.places == pytest.approx(law.places + begins[law.pieces], rel=ROUNDING, abs=ROUNDING)
-    assert longer.segments[7] == pytest.approx(law.segments[7] + begins[law.pieces], rel=ROUNDING)
+    assert longer.path_segments.tolist() == np.repeat(np.arange(5), many)[law.path_segments].tolist()
+    assert longer.places == pytest.approx(law.places + begins[law.path_segments], rel=ROUNDING, abs=ROUNDING)
+    assert longer.segments[7] == pytest.approx(law.segments[7] + begins[law.path_segments], rel=ROUNDING)
     assert longer.ends.tolist() == law.ends[np.cumsum(many) - 1].tolist()
     assert longer.segments[[1, 3, 4, 5, 6]].tolist() == law.segments[[1, 3, 4, 5, 6]].tolist()
 
@@ -376,7 +376,7 @@ def test_ten_thousand_pieces_end_where_they_should() -> None:
     stages = [Interval(length, 1.0, 5.0, 50.0, horizon=i + 20) for i, length in enumerate(lengths)]
     law = plan_time_law(stages)
     rows = law.at(np.nextafter(law.ends, 0.0))
-    assert rows.pieces.tolist() == list(range(10_000))
+    assert rows.path_segments.tolist() == list(range(10_000))
     assert rows.places == pytest.approx(lengths, rel=1e-9)
     assert law.speeds.max() <= 1.0 + ROUNDING
     assert sum(lengths) < law.duration < sum(map(_rest_to_rest, stages))

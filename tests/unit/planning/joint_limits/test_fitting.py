@@ -44,8 +44,8 @@ def fit(parts: tuple[Section, ...], bounds: ArmBounds) -> tuple[EvaluatedTraject
 def test_a_line_that_joints_leave_more_than_a_thousandth_of_its_rate_is_fitted() -> None:
     """Of the jerk they leave 1e-8, so of the rate, which goes with its cube root, 0.2 %."""
     planned, found = fit(line((-1e-4, 0.0, 0.0)), arm(1.0, 1.0, 1e-8))
-    assert found.reference.strain.is_kept
-    assert found.course.duration > 100.0 * planned.course.duration
+    assert found.reference.utilisation.is_kept
+    assert found.timing.duration > 100.0 * planned.timing.duration
 
 
 def test_a_line_that_joints_leave_less_of_its_rate_stays_as_it_was() -> None:
@@ -64,7 +64,7 @@ def test_a_fitted_motion_is_looked_at_with_the_torques_that_it_takes() -> None:
     assert found is not planned
     assert found.reference.torque is not None
     assert (found.reference.torque == effort(rows.q, rows.d1, rows.d2)).all()
-    assert found.reference.strain.used[3] == pytest.approx(np.abs(found.reference.torque).max(axis=1))
+    assert found.reference.utilisation.used[3] == pytest.approx(np.abs(found.reference.torque).max(axis=1))
 
 
 @pytest.mark.parametrize(
@@ -81,7 +81,7 @@ def test_of_both_ways_to_keep_the_limits_the_quicker_one_counts(
     planned, lower = fit(parts, bounds)
     slower = keep_limits(planned.motion, bounds.joints, None, TICK)
     assert isinstance(slower, RetimedTrajectory)
-    durations = lower.course.duration, slower.clock.duration
+    durations = lower.timing.duration, slower.clock.duration
     assert min(durations) < 0.95 * max(durations)
     found = retimed(timing_of(parts, 1), bounds, Ticks(TICK), RULES)
     assert found.duration == pytest.approx(min(durations), rel=0.01)  # it looks at fewer ticks at first

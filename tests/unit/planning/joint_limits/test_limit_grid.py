@@ -22,7 +22,7 @@ def part() -> Section:
 
 
 PART = part()
-LENGTH = PART.pieces[0].joints.length
+LENGTH = PART.path_segments[0].joints.length
 BANDS = limit_grid_of(PART, np.linspace(-0.1, PART.law.duration + 0.1, 60), 0.0)
 
 
@@ -35,7 +35,7 @@ def test_cells_lie_between_the_places_at_given_times() -> None:
     times = np.linspace(0.0, PART.law.duration, 8)
     bands = limit_grid_of(PART, times, 0.0)
     assert bands.borders == pytest.approx(PART.law.at(times).places)
-    (stage,) = PART.pieces[0].stages
+    (stage,) = PART.path_segments[0].path_limits
     assert bands.bounds == pytest.approx(
         np.array([[stage.speed], [stage.acceleration], [stage.jerk]]) * np.ones(7)
     )
@@ -56,23 +56,23 @@ def test_times_beside_a_part_neither_count_nor_take_room() -> None:
 
 def test_with_its_bounds_as_they_were_a_part_has_its_time_law() -> None:
     again = BANDS.replanned(RULES)
-    assert len(again.stages) == 1
+    assert len(again.path_limits) == 1
     assert again.law.duration == pytest.approx(PART.law.duration, rel=1e-12)
 
 
 def test_pieces_with_the_same_bounds_keep_stages_of_their_own() -> None:
-    piece = PART.pieces[0]
-    (stage,) = piece.stages
+    piece = PART.path_segments[0]
+    (stage,) = piece.path_limits
     half = replace(stage, length=0.5 * stage.length)
     halves = PathLimits.of([half])
     pieces = [
-        replace(piece, joints=JointSection(piece.joints, begin * LENGTH, end * LENGTH), stages=halves)
+        replace(piece, joints=JointSection(piece.joints, begin * LENGTH, end * LENGTH), path_limits=halves)
         for begin, end in ((0.0, 0.5), (0.5, 1.0))
     ]
     two = section_of(pieces, None, RULES)
     again = limit_grid_of(two, np.linspace(0.0, two.law.duration, 40), 0.0).replanned(RULES)
     assert again.counts.tolist() == [1, 1]
-    assert again.stages.rows[:, 0] == pytest.approx([half.length, half.length])
+    assert again.path_limits.rows[:, 0] == pytest.approx([half.length, half.length])
 
 
 def test_at_a_share_of_all_rates_a_part_takes_as_many_times_as_long() -> None:

@@ -161,7 +161,7 @@ def test_bands_end_where_the_motion_is_at_times_and_where_stages_end(seed: int) 
     assert laid.tolist() == begins.tolist()
     inside = times[(times > start) & (times < start + law.duration)] - start
     found = law.at(inside)
-    places = begins[found.pieces] + found.places
+    places = begins[found.path_segments] + found.places
     free = np.abs(places[:, None] - np.append(0.0, ends)).min(axis=1) > near
     borders = np.unique(np.append(ends, places[free]))
     c = int(told[0])
@@ -264,11 +264,11 @@ def test_what_joints_do_at_ticks_stands_beside_where_the_run_is(seed: int) -> No
     pair = np.append(now - 1, now)
     rows = law.at(phi[pair] - start)
     assert out[:4].tolist() == [
-        each.tolist() for each in (rows.pieces, rows.places, rows.speeds, rows.accelerations)
+        each.tolist() for each in (rows.path_segments, rows.places, rows.speeds, rows.accelerations)
     ]
     moving = (phi[pair] >= start) & (phi[pair] < start + law.duration)
     behind = law.segments[5, np.searchsorted(law.segments[1], phi[pair] - start, "right") - 1]
     assert out[4].tolist() == np.where(moving, behind, 0.0).tolist()
-    assert places.ravel().tolist() == (begins[rows.pieces] + rows.places).tolist()
+    assert places.ravel().tolist() == (begins[rows.path_segments] + rows.places).tolist()
     assert motion.tolist() == [q[now].tolist(), qd[now].tolist()]
     assert changed.tolist() == [qdd[now - 1].tolist(), qdd[now].tolist()]

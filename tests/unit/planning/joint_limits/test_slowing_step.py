@@ -33,7 +33,7 @@ def test_a_step_lowers_bounds_where_joints_cannot_follow_and_they_exceed_less_th
     bounds = JointBounds(PUMA.max_speeds, share * PUMA.max_accelerations, share * PUMA.max_jerks)
     arm, motion = ArmBounds(bounds, None), Trajectory.on(timing_of([part], 1))
     before = as_bounds_allow(motion, arm, Ticks(TICK))
-    over = np.flatnonzero((before.reference.strain.used > 1.0 + ROUNDING).any(axis=0))
+    over = np.flatnonzero((before.reference.utilisation.used > 1.0 + ROUNDING).any(axis=0))
     ticks = over[over > 0].astype(np.float64)
     assert len(ticks) > 0
     bands = limit_grid_of(part, np.linspace(0.0, part.law.duration, 80), 0.0)
@@ -44,4 +44,4 @@ def test_a_step_lowers_bounds_where_joints_cannot_follow_and_they_exceed_less_th
     assert ((lower.causes[0] >= 0.0) == lowered).all()
     assert 0.0 < lower.share < 1.0
     assert slower.law.duration > part.law.duration
-    assert after.reference.strain.used.max() < before.reference.strain.used.max()
+    assert after.reference.utilisation.used.max() < before.reference.utilisation.used.max()

@@ -361,4 +361,4 @@ def test_an_axis_that_does_not_move_the_frame_leaves_the_path_in_the_room() -> N
     goal[7:] = start[7:]
     one, other = (commanded(plan_of(5, make(robot, goal), start)) for make in (to_plate, to_room))
     np.testing.assert_allclose(one, other, rtol=0, atol=1e-9)
-    assert plan_of(5, to_plate(robot, goal), start).pieces[0].frame is None
+    assert plan_of(5, to_plate(robot, goal), start).path_segments[0].frame is None

@@ -38,17 +38,23 @@ def course(moves: list[MoveInstruction], look_ahead: int = 10) -> tuple[Timing, 
 
 def test_lines_with_zones_are_walked_in_one_run() -> None:
     done, _ = course([lin(goal, ZONE) for goal in GOALS])
-    assert len(done.runs) == 1
-    assert [piece.corner is not None for piece in done.runs[0].pieces] == [False, True, False, True, False]
-    assert [piece.leg for piece in done.runs[0].pieces] == [0, 0, 1, 1, 2]
+    assert len(done.sections) == 1
+    assert [piece.blend is not None for piece in done.sections[0].path_segments] == [
+        False,
+        True,
+        False,
+        True,
+        False,
+    ]
+    assert [piece.move_number for piece in done.sections[0].path_segments] == [0, 0, 1, 1, 2]
 
 
 @pytest.mark.parametrize("speeds", [(1.0, 1.0, 1.0), (0.1, 1.0, 0.1), (1.0, 0.1, 1.0)])
 def test_motions_overlap_no_longer_than_both_of_them_are_within_the_zone(speeds: tuple[float, ...]) -> None:
     moves = [ptp(goal, replace(ZONE, ptp_speed=speed)) for goal, speed in zip(GOALS, speeds, strict=True)]
     done, corners = course(moves)
-    assert len(done.runs) == 3
-    for before, behind, corner in zip(done.runs[:-1], done.runs[1:], corners, strict=False):
+    assert len(done.sections) == 3
+    for before, behind, corner in zip(done.sections[:-1], done.sections[1:], corners, strict=False):
         assert isinstance(corner, JointSpaceBlend)
         left = before.law.duration - before.law.times_of(0, np.array([corner.leave]))[0]
         entered = behind.law.times_of(0, np.array([corner.enter]))[0]
@@ -63,20 +69,22 @@ def test_a_line_whose_start_is_rounded_goes_over_into_the_next_move_as_one_from_
     rounded, corners = course(moves)
     stopped, _ = course([lin(GOALS[0]), *moves[1:]])
     assert isinstance(corners[1], JointSpaceBlend)
-    assert len(rounded.runs[0].pieces) == 3
-    assert rounded.runs[1].overlap > 0.05
-    assert rounded.runs[1].overlap == pytest.approx(stopped.runs[2].overlap, rel=0.02)
+    assert len(rounded.sections[0].path_segments) == 3
+    assert rounded.sections[1].overlap > 0.05
+    assert rounded.sections[1].overlap == pytest.approx(stopped.sections[2].overlap, rel=0.02)
 
 
 def test_a_law_counts_the_pieces_of_its_run_whatever_their_stages() -> None:
     done, _ = course([lin(goal, ZONE) for goal in GOALS])
-    (run,) = done.runs
-    assert [len(piece.stages) > 1 for piece in run.pieces] == [False, True, False, True, False]
+    (run,) = done.sections
+    assert [len(piece.path_limits) > 1 for piece in run.path_segments] == [False, True, False, True, False]
     rows = run.law.at(np.nextafter(run.law.ends, 0.0))
-    assert rows.pieces.tolist() == [0, 1, 2, 3, 4]
-    assert rows.places == pytest.approx([piece.joints.length for piece in run.pieces], rel=1e-9)
-    for piece in run.pieces:
-        assert sum(stage.length for stage in piece.stages) == pytest.approx(piece.joints.length, rel=ROUNDING)
+    assert rows.path_segments.tolist() == [0, 1, 2, 3, 4]
+    assert rows.places == pytest.approx([piece.joints.length for piece in run.path_segments], rel=1e-9)
+    for piece in run.path_segments:
+        assert sum(stage.length for stage in piece.path_limits) == pytest.approx(
+            piece.joints.length, rel=ROUNDING
+        )
 
 
 def test_what_is_known_counts_where_a_piece_ends() -> None:
@@ -86,13 +94,13 @@ def test_what_is_known_counts_where_a_piece_ends() -> None:
     """
     steps = [shifted(HERE, -0.004 * k, 0.004 * k, 5e-4 * (k % 2)) for k in range(1, 9)]
     done, _ = course([lin(goal, ModalState(zone=0.002)) for goal in steps], look_ahead=1)
-    (run,) = done.runs
-    last = np.cumsum([len(piece.stages) for piece in run.pieces]) - 1
-    of_leg = {piece.leg: int(end) for piece, end in zip(run.pieces, last, strict=True)}
+    (run,) = done.sections
+    last = np.cumsum([len(piece.path_limits) for piece in run.path_segments]) - 1
+    of_leg = {piece.move_number: int(end) for piece, end in zip(run.path_segments, last, strict=True)}
     everywhere = [
-        replace(stage, horizon=of_leg[min(piece.leg + 1, len(steps) - 1)])
-        for piece in run.pieces
-        for stage in piece.stages
+        replace(stage, horizon=of_leg[min(piece.move_number + 1, len(steps) - 1)])
+        for piece in run.path_segments
+        for stage in piece.path_limits
     ]
     nowhere = [replace(stage, horizon=-1) for stage in everywhere]
     longest, shortest = (plan_time_law(stages).duration for stages in (everywhere, nowhere))
@@ -102,10 +110,10 @@ def test_what_is_known_counts_where_a_piece_ends() -> None:
 
 def test_moves_end_in_the_middle_of_corners_and_overlaps() -> None:
     done, _ = course([ptp(GOALS[0], ZONE), lin(GOALS[1], ZONE), lin(GOALS[2])])
-    first, second = done.runs
+    first, second = done.sections
     assert done.ends[0] == pytest.approx(first.end - second.overlap / 2.0, rel=ROUNDING)
-    round_corner = second.pieces[1]
-    assert round_corner.corner is not None
+    round_corner = second.path_segments[1]
+    assert round_corner.blend is not None
     middle = second.law.times_of(1, np.array([round_corner.joints.length / 2.0]))[0]
     assert done.ends[1] == pytest.approx(second.start + middle, rel=ROUNDING)
     assert done.ends[2] == pytest.approx(done.duration, rel=ROUNDING)
@@ -113,13 +121,13 @@ def test_moves_end_in_the_middle_of_corners_and_overlaps() -> None:
 
 def test_without_zones_runs_follow_each_other_from_rest_to_rest() -> None:
     done, _ = course([ptp(goal) for goal in GOALS])
-    assert [run.overlap for run in done.runs] == [0.0, 0.0, 0.0]
-    assert [run.start for run in done.runs[1:]] == [run.end for run in done.runs[:-1]]
-    assert list(done.ends) == [run.end for run in done.runs]
+    assert [run.overlap for run in done.sections] == [0.0, 0.0, 0.0]
+    assert [run.start for run in done.sections[1:]] == [run.end for run in done.sections[:-1]]
+    assert list(done.ends) == [run.end for run in done.sections]
 
 
 def test_where_nothing_moves_there_are_no_runs() -> None:
     done, _ = course([ptp(HERE, ZONE), lin(HERE)])
-    assert done.runs == ()
+    assert done.sections == ()
     assert list(done.ends) == [0.0, 0.0]
     assert done.duration == 0.0

@@ -54,15 +54,17 @@ def one_by_one(whole: Timing) -> Timing:
     """Return a course whose paths are walked one by one."""
     return replace(
         whole,
-        runs=tuple(
+        sections=tuple(
             replace(
                 run,
                 part=replace(
                     run.part,
-                    pieces=tuple(replace(piece, joints=Unknown(piece.joints)) for piece in run.part.pieces),
+                    path_segments=tuple(
+                        replace(piece, joints=Unknown(piece.joints)) for piece in run.part.path_segments
+                    ),
                 ),
             )
-            for run in whole.runs
+            for run in whole.sections
         ),
     )
 
@@ -71,7 +73,7 @@ def one_by_one(whole: Timing) -> Timing:
 def test_all_runs_in_one_loop_are_bit_by_bit_what_their_paths_tell(mode: Synchronisation) -> None:
     first, second, third = GOALS
     whole = course([lin(first, ZONE), lin(second, ZONE), ptp(third, ZONE), ptp(HERE)], mode)
-    assert [len(run.pieces) for run in whole.runs] == [3, 1, 1]
+    assert [len(run.path_segments) for run in whole.sections] == [3, 1, 1]
     assert trajectory_table(whole) is not None
     apart = one_by_one(whole)
     assert trajectory_table(apart) is None
@@ -85,11 +87,11 @@ def test_paths_at_places_of_a_run_are_bit_by_bit_what_they_tell_themselves() -> 
     first, second, third = GOALS
     whole = course([lin(first, ZONE), lin(second, ZONE), ptp(third)], Synchronisation.PHASE)
     together, each = Trajectory.on(whole), Trajectory.on(one_by_one(whole))
-    for number, run in enumerate(whole.runs):
+    for number, run in enumerate(whole.sections):
         rows = run.law.at(np.linspace(0.0, run.law.duration, 50))
-        assert len(set(rows.pieces.tolist())) == len(run.pieces)
+        assert len(set(rows.path_segments.tolist())) == len(run.path_segments)
         for name in ("q", "d1", "d2"):
-            one, other = (getattr(motion.on_run(number, rows), name) for motion in (together, each))
+            one, other = (getattr(motion.on_section(number, rows), name) for motion in (together, each))
             assert one.tolist() == other.tolist()
 
 
@@ -97,7 +99,7 @@ def test_a_motion_on_the_same_pieces_at_other_times_is_that_of_the_other_course(
     first, second, third = GOALS
     moves = [lin(first, ZONE), lin(second, ZONE), ptp(third, ZONE), ptp(HERE)]
     whole = course(moves, Synchronisation.PHASE)
-    (part, *others) = (run.part for run in whole.runs)
+    (part, *others) = (run.part for run in whole.sections)
     bands = limit_grid_of(part, np.linspace(0.0, part.law.duration, 20), 0.0)
     slower = timing_of([bands.slower(0.5).replanned(RULES), *others], len(moves))
     times = np.linspace(0.0, slower.duration, 300)
