@@ -1,4 +1,4 @@
-"""A motion in control ticks: references, and the ticks at which moves, pieces and triggers come."""
+"""A motion in control ticks: references, and the ticks at which moves, path segments and triggers come."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -81,12 +81,12 @@ def in_ticks(
 def _pieces(
     timing: Timing, ticks: Sequence[Sequence[int]]
 ) -> tuple[tuple[TimedSegment, ...], tuple[tuple[int, int], ...]]:
-    """Return the pieces, and the ways round corners and the overlaps in order of time.
+    """Return the path segments, and the ways round blends and the overlaps in order of time.
 
     Args:
         timing: of the sequence.
-        ticks: the last one before each piece, and the last one on it; behind these the same for the overlap
-            of each run with the one before.
+        ticks: the last one before each path segment, and the last one on it; behind these the same for the
+            overlap of each section with the one before.
     """
     path_segments, blends, number = [], [], 0
     for section in timing.sections:

@@ -1,4 +1,4 @@
-"""Planning a sequence: moves become paths, paths a course with rounded corners, that a motion in time."""
+"""Planning a sequence: moves become paths, paths a timing with rounded blends, that a motion in time."""
 
 import math
 from collections.abc import Sequence
@@ -185,7 +185,7 @@ def _late(moves: list[PlannedMove], ends: Sequence[float]) -> tuple[int, float] 
 
 
 def _too_long(moves: list[PlannedMove], number: int, duration: float) -> _Hurdle:
-    """Return M513 for a move that lasts too long [s], or for the neighbour that makes its corner slow."""
+    """Return M513 for a move that lasts too long [s], or for the neighbour that makes its blend slow."""
     beside = range(max(number - 1, 0), min(number + 2, len(moves)))
     slowest = max(beside, key=lambda one: (_time_alone(moves[one]), one == number))
     return _Hurdle(slowest, Refusal(check_duration(moves[slowest].move, duration)))
@@ -224,7 +224,7 @@ def _time_alone(move: PlannedMove) -> float:
 
 
 def _corners(chain: MotionChain, moves: list[PlannedMove], findings: list[Diagnostic]) -> list[Blend | None]:
-    """Return the rounded corners between moves, None where the arm stops or where nothing moves."""
+    """Return the rounded blends between moves, None where the arm stops or where nothing moves."""
     blends: list[Blend | None] = []
     for before, behind in pairwise(moves):
         found = blend_between(chain, before, behind)

@@ -48,7 +48,7 @@ def clipped(move: MoveInstruction, corner: Blend) -> tuple[Diagnostic, ...]:
 
 
 def stopped(move: MoveInstruction, why: Stop) -> tuple[Diagnostic, ...]:
-    """Return M560 for a corner at which the arm stops though a zone is in force."""
+    """Return M560 for a blend at which the arm stops though a zone is in force."""
     hint = "give a larger zone" if why in (Stop.QUICKER, Stop.SLOWED) else "shift the point"
     return _stops(move, why.value, f"{hint}, or give the move `fine`" if move.modal.zone > 0.0 else hint)
 
@@ -83,7 +83,7 @@ def achieved_zones(
 ) -> list[float]:
     """Return the distance from the target of each move at which the path leaves it [m]; 0 where it stops.
 
-    A rounded corner is left at its zone. Where motions overlap, both are added only as long as the shorter
+    A rounded blend is left at its zone. Where motions overlap, both are added only as long as the shorter
     of their two parts within the zone lasts, so the other move is left nearer to the corner: it is where
     the TCP is when the next motion begins that counts.
 

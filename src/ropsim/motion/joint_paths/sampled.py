@@ -1,4 +1,4 @@
-"""Traced path: joint coordinates at equidistant places of a way, made smooth between them."""
+"""Traced path: joint coordinates at equidistant places of a path, made smooth between them."""
 
 from dataclasses import field
 

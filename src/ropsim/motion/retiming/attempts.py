@@ -1,4 +1,4 @@
-"""Courses of a motion, each with less of the limits where the one before lacked something."""
+"""Timings of a motion, each with less of the limits where the one before lacked something."""
 
 import numpy as np
 
@@ -19,12 +19,12 @@ _ENDLESS = 1e100
 
 
 class Attempts:
-    """Courses through m places of a motion, as fast as shares of its limits allow.
+    """Timings through m places of a motion, as fast as shares of its limits allow.
 
     Args:
         asked: constraint rows of the motion at the grid points.
         planned: the same, or without torque, which then does not count.
-        places: motion times [s], rising from 0 to the end, shape (m,).
+        places: nominal times [s], rising from 0 to the end, shape (m,).
         period: of the control ticks [s].
     """
 
@@ -41,7 +41,7 @@ class Attempts:
         self.plan_with(planned)
 
     def plan_with(self, planned: ConstraintRows) -> None:
-        """Go on to the course that is planned with another demand, such as one in which torque counts."""
+        """Go on to the timing that is planned with another demand, such as one in which torque counts."""
         self._speeds = Speeds(planned, self._steps)
         self._go()
 
@@ -52,7 +52,7 @@ class Attempts:
         return place, float(self._x[place])
 
     def give_up(self, lacks: Array) -> None:
-        """Go on to the course with less of the limits around lacks, of shape (4, m), see `Strain`."""
+        """Go on to the timing with less of the limits around lacks, of shape (4, m), see `Strain`."""
         give_up(self._sigma, lacks, self._work, self._shares)
         self._go()
 
@@ -88,10 +88,10 @@ class Attempts:
 
 
 def course_below(places: Array, x: Array, lasting: Array, width: Array) -> tuple[Array, NominalTime]:
-    """Return the places in windows, see `smooth_course`, shape (m,), and the motion time.
+    """Return the places in windows, see `smooth_course`, shape (m,), and the nominal time.
 
     Args:
-        places: motion times [s], rising, shape (m,).
+        places: nominal times [s], rising, shape (m,).
         x: squares of rates; these are nowhere exceeded, except for the least rate that counts, shape (m,).
         lasting: real times that windows last at least, see `window_times` [s], shape (m,).
         width: factor of the windows, shape (m,).

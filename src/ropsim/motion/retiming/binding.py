@@ -32,7 +32,7 @@ def rates_needed(demand: ConstraintRows, places: Array, period: float) -> Array:
 
     Args:
         demand: constraint rows of the plan at the grid points.
-        places: motion times [s], shape (m,).
+        places: nominal times [s], shape (m,).
         period: of the control ticks [s].
     """
     inverse, rates = 1.0 / np.array([demand.bounds.speed, demand.bounds.jerk]), np.empty(len(places))
@@ -48,7 +48,7 @@ def binding_constraint(demand: ConstraintRows, places: Array, period: float, beg
 
     Args:
         demand: constraint rows of the plan at the grid points.
-        places: motion times [s], shape (m,).
+        places: nominal times [s], shape (m,).
         period: of the control ticks [s].
         begin: index of the first checked grid point.
         end: index of the place behind the last one.
@@ -68,5 +68,5 @@ def binding_constraint(demand: ConstraintRows, places: Array, period: float, beg
 
 
 def _rows(demand: ConstraintRows) -> tuple[Array, Array]:
-    """Return the first and second derivatives of the joints by motion time, shape (m, n)."""
+    """Return the first and second derivatives of the joints by nominal time, shape (m, n)."""
     return np.ascontiguousarray(demand.points.d1), np.ascontiguousarray(demand.points.d2)

@@ -16,7 +16,7 @@ def creeping(d1: Array2, speed: Array1, out: Array2) -> None:
     """Write the speeds of joints that creep, a small share of their limits and of their greatest speeds.
 
     Args:
-        d1: derivatives of joint coordinates by motion time, shape (m, n).
+        d1: derivatives of joint coordinates by nominal time, shape (m, n).
         speed: limits of the joints, shape (n,).
         out: becomes the speeds, shape (m, n), m >= 1.
     """
@@ -42,12 +42,12 @@ def rates_kept(d1: Array2, d2: Array2, places: Array1, inverse: Array2, period: 
     """Write the constant rates, at most 1, at which the joints just keep their limits of speed and jerk.
 
     With the rate w, speeds scale by w and jerk by w³; where acceleration is not steady, its step in one
-    control tick by w². Jerk counts at both ends of a way.
+    control tick by w². Jerk counts at both ends of a path.
 
     Args:
-        d1: first derivatives by motion time, shape (m, n).
+        d1: first derivatives by nominal time, shape (m, n).
         d2: second ones, shape (m, n).
-        places: motion times [s], rising, shape (m,).
+        places: nominal times [s], rising, shape (m,).
         inverse: of the limits of speed and jerk, shape (2, n).
         period: of the control ticks [s].
         out: becomes the rates, shape (m,).
@@ -84,11 +84,11 @@ def least_rate(
     """Write which limit of which joint needs the lowest rate; see `binding_constraint`.
 
     Args:
-        d1: first derivatives by motion time, shape (m, n).
+        d1: first derivatives by nominal time, shape (m, n).
         d2: second ones, shape (m, n).
         torque: of the plan from place `begin` on [N m | N], shape (end - begin, n), or (…, 0).
         still: torque of creeping at all places [N m | N], shape (m, n), or (m, 0).
-        places: motion times [s], shape (m,).
+        places: nominal times [s], shape (m,).
         limits: in the order of `Quantity`, shape (4, n).
         period: of the control ticks [s].
         begin: first checked grid point.

@@ -38,7 +38,7 @@ class ConstraintRows:
         return ConstraintRows(self.points, self.bounds, self.ways, None, self.points.q[:, :0])
 
     def along(self) -> tuple[Array, Array]:
-        """Return first and second derivatives of joints and places on paths by motion time, (m, n + r)."""
+        """Return first and second derivatives of joints and places on paths by nominal time, (m, n + r)."""
         return self.ways.beside(self.points)
 
     def most(self) -> Array:

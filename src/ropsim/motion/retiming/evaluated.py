@@ -1,4 +1,4 @@
-"""A motion in its motion time at control ticks, and its utilisation of the limits there."""
+"""A motion in its nominal time at control ticks, and its utilisation of the limits there."""
 
 from dataclasses import dataclass
 
@@ -25,11 +25,11 @@ _CLEARLY = (1.0 + ROUNDING) * (1.0 - 1e-12)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Walked:
-    """A motion in its motion time, at k control ticks.
+    """A motion in its nominal time, at k control ticks.
 
     Attributes:
-        timing: motion times [s], rates, and changes of these [1/s], shape (3, k).
-        points: the joints by motion time.
+        timing: nominal times [s], rates, and changes of these [1/s], shape (3, k).
+        points: the joints by nominal time.
         rows: coordinates, speeds and accelerations by real time.
         keeps_motion: whether joints clearly keep their limits of speed, acceleration and jerk.
     """
@@ -41,13 +41,13 @@ class Walked:
 
 
 def walked(motion: Motion, clock: NominalTime, bounds: JointBounds, ticks: Ticks) -> Walked:
-    """Return a motion in its motion time.
+    """Return a motion in its nominal time.
 
-    qd = q'·w and qdd = q''·w² + q'·c, with the rate w of motion time and its change c.
+    qd = q'·w and qdd = q''·w² + q'·c, with the rate w of nominal time and its change c.
 
     Args:
         motion: the plan.
-        clock: its motion time.
+        clock: its nominal time.
         bounds: capabilities of the joints.
         ticks: of control.
     """
@@ -81,7 +81,7 @@ def strain_of_walk(
         walk: the motion at control ticks.
         motion: the plan.
         demand: constraint rows at the grid points.
-        places: motion times [s], shape (m,).
+        places: nominal times [s], shape (m,).
         period: of the control ticks [s].
         more: added to each lack, see `strain`.
 

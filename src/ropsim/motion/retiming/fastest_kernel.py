@@ -87,7 +87,8 @@ def fastest(
 
     Backwards, the greatest x from which the rest can be gone; then forwards, the greatest acceleration that
     stays below it. Standing still satisfies all rows, so a place never has a least speed. The greatest x of a
-    place is the root of a convex function, linear in pieces, so Newton's method from above finds it exactly.
+    place is the root of a convex function, linear in path segments, so Newton's method from above finds it
+    exactly.
 
     Args:
         rows: the limits.

@@ -17,7 +17,7 @@ _LEAST_PART = 1e-4
 _LONG = 1.5
 """Greatest real time between two places, over the requested time."""
 _LITTLE_LONGER = 1.03
-"""The same where motion time is slower: with 1.5, arms with much jerk lose up to 7 % on single motions."""
+"""The same where nominal time is slower: with 1.5, arms with much jerk lose up to 7 % on single motions."""
 _STEEP = 0.4
 """Greatest change of the logarithm of the speed that a joint allows, from place to place."""
 _MOST_PARTS = 64.0
@@ -26,7 +26,7 @@ _MOST_PARTS = 64.0
 def places_of(
     motion: Motion, bounds: JointBounds, spacing: float, phi: Array, rates: Array
 ) -> tuple[Array, JointPoints]:
-    """Return motion times [s] from 0 to the end, about one real time apart, (m,), and the motion there.
+    """Return nominal times [s] from 0 to the end, about one real time apart, (m,), and the motion there.
 
     Where joints must go a long way, or the speed that they allow changes steeply, ways are divided.
 
@@ -34,7 +34,7 @@ def places_of(
         motion: the plan.
         bounds: of the joints.
         spacing: real time between two places [s].
-        phi: motion times at which rates are known, rising, shape (k,).
+        phi: nominal times at which rates are known, rising, shape (k,).
         rates: estimates of dφ/dt there, in ]0, 1], shape (k,).
     """
     count = max(int(np.ceil(motion.duration / spacing)), _FEWEST)
@@ -63,8 +63,8 @@ def parts_by_rate(places: Array1, phi: Array1, rates: Array1, parts: Array1) -> 
     """Write into how many parts ways are divided, so that these last but a little longer than at full rate.
 
     Args:
-        places: motion times [s], rising, shape (m,).
-        phi: motion times at which rates are known [s], rising, shape (k,).
+        places: nominal times [s], rising, shape (m,).
+        phi: nominal times at which rates are known [s], rising, shape (k,).
         rates: estimates of dφ/dt there, in ]0, 1]; the lowest on an interval and its neighbours counts, (k,).
         parts: becomes the numbers of parts, shape (m - 1,).
     """
@@ -88,9 +88,9 @@ def parts_by_joints(
     """Write into how many parts ways are divided for joints that go far or whose speed bounds change steeply.
 
     Args:
-        places: motion times [s], rising, shape (m,).
+        places: nominal times [s], rising, shape (m,).
         q: coordinates of the joints there, shape (m, n).
-        d1: their derivatives by motion time, shape (m, n).
+        d1: their derivatives by nominal time, shape (m, n).
         speed: limits of the joints, shape (n,).
         spacing: real time between two places [s].
         parts: becomes the numbers of parts, shape (m - 1,).

@@ -1,4 +1,4 @@
-"""How far a motion has come at a time, where it is slowed: motion time over real time."""
+"""How far a motion has come at a time, where it is slowed: nominal time over real time."""
 
 import numpy as np
 import numpy.typing as npt
@@ -9,13 +9,13 @@ from ropsim.spatial import Array, frozen, record
 
 @record
 class NominalTime:
-    """Motion time φ over real time t, with rates dφ/dt in ]0, 1] that have no kinks.
+    """Nominal time φ over real time t, with rates dφ/dt in ]0, 1] that have no kinks.
 
     Between two knots the rate is the cubic with their rates and changes at both ends, and φ its integral.
 
     Attributes:
         times: real times of the knots [s], from 0 on, rising, shape (m,).
-        places: motion times there [s], from 0 on, rising, shape (m,).
+        places: nominal times there [s], from 0 on, rising, shape (m,).
         rates: dφ/dt there, shape (m,).
         changes: d²φ/dt² there [1/s], shape (m,).
     """
@@ -35,7 +35,7 @@ class NominalTime:
         return float(self.times[-1])
 
     def at(self, times: Array) -> Array:
-        """Return motion time [s], rate and change of the rate [1/s] at real times [s], (k,) to (3, k).
+        """Return nominal time [s], rate and change of the rate [1/s] at real times [s], (k,) to (3, k).
 
         Times before the start and after the end count as these. Where nothing is slowed, φ is t bit by bit.
         """
@@ -45,32 +45,32 @@ class NominalTime:
         return out
 
     def times_of(self, places: npt.ArrayLike) -> Array:
-        """Return about when motion times are reached [s], evenly between knots.
+        """Return about when nominal times are reached [s], evenly between knots.
 
         Args:
-            places: motion times [s], shape (k,).
+            places: nominal times [s], shape (k,).
         """
         return np.asarray(np.interp(np.asarray(places), self.places, self.times))
 
     def slower(self, share: float) -> "NominalTime":
-        """Return the same course at a share, in ]0, 1], of all its rates."""
+        """Return the same timing at a share, in ]0, 1], of all its rates."""
         return NominalTime(self.times / share, self.places, self.rates * share, self.changes * share**2)
 
 
 def unslowed(duration: float) -> NominalTime:
-    """Return the motion time of a motion [s] that runs as planned."""
+    """Return the nominal time of a motion [s] that runs as planned."""
     return NominalTime(np.array([0.0, duration]), np.array([0.0, duration]), np.ones(2), np.zeros(2))
 
 
 def motion_time(places: Array, rates: Array, changes: Array) -> NominalTime:
-    """Return the motion time with given rates.
+    """Return the nominal time with given rates.
 
     The time from knot to knot is that in which the integral of the cubic rate is the way between them: the
     smaller root of Δφ = (w + w')·Δt/2 + (c - c')·Δt²/12 with rates w, w' and changes c, c'. Changes that
     would lead a rate out of ]0, 1] between two knots are brought down.
 
     Args:
-        places: motion times of the knots [s], rising, shape (m,).
+        places: nominal times of the knots [s], rising, shape (m,).
         rates: in ]0, 1], shape (m,).
         changes: d²φ/dt² [1/s], shape (m,).
     """

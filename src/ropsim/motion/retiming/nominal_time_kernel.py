@@ -47,11 +47,11 @@ class _Cubic(NamedTuple):
 def motion_time_at(
     knots: Array1, places: Array1, rates: Array1, changes: Array1, times: Array1, out: Array2
 ) -> None:
-    """Write motion time [s], its rate and the change of that [1/s] at real times; see `MotionTime.at`.
+    """Write nominal time [s], its rate and the change of that [1/s] at real times; see `MotionTime.at`.
 
     Args:
         knots: real times of the knots [s], rising, shape (m,), m >= 2.
-        places: motion times there [s], shape (m,).
+        places: nominal times there [s], shape (m,).
         rates: there, shape (m,).
         changes: of the rates there [1/s], shape (m,).
         times: real times [s], best in order, shape (k,).
@@ -97,7 +97,7 @@ def timed(places: Array1, rates: Array1, changes: Array1, times: Array1) -> None
     """Write the real times at which a motion with given rates comes to its knots; see `motion_time`.
 
     Args:
-        places: motion times of the knots [s], rising, shape (m,), m >= 2.
+        places: nominal times of the knots [s], rising, shape (m,), m >= 2.
         rates: in ]0, 1], shape (m,).
         changes: d²φ/dt² [1/s]; changes that would lead a rate out of ]0, 1] are reduced, shape (m,).
         times: become real times [s], from 0 on, shape (m,).
@@ -139,9 +139,9 @@ def walk_at(
     """Write speeds and accelerations at k control ticks, as `by_real_time` does, and excesses over limits.
 
     Args:
-        first: first derivatives by motion time, shape (k, n).
+        first: first derivatives by nominal time, shape (k, n).
         second: second ones.
-        timing: motion times [s], rates w = dφ/dt, and their changes c [1/s], shape (3, k).
+        timing: nominal times [s], rates w = dφ/dt, and their changes c [1/s], shape (3, k).
         limits: of speed, acceleration and change of acceleration in one tick, shape (3, n).
         work: to work in, shape (ROWS_OF_WALK, AT_ONCE·n).
         out: becomes q'·w and q''·w² + q'·c, shape (2, k·n).

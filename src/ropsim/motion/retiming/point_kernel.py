@@ -1,4 +1,4 @@
-"""What a course lacks at the places that it is planned with, in loops that numba compiles."""
+"""What a timing lacks at the places that it is planned with, in loops that numba compiles."""
 
 import math
 from typing import NamedTuple
@@ -17,7 +17,7 @@ from ropsim.spatial import Array
 
 _TINY = 1e-300
 _UNEVEN = 49.0
-"""Greatest length of one part of a way over the other one where jerks beside it tell that of its parts."""
+"""Greatest length of one part of a path over the other one where jerks beside it tell that of its parts."""
 WORK_ROWS = 12
 BEFORE, HERE = 0, 1
 """Rows to work in: accelerations by real time at the point before and here."""
@@ -154,7 +154,7 @@ def _swing(count: int, square: float, c: float, first: Array, second: Array, out
 
 @columns
 def _jerk(count: int, per: float, behind: Array, before: Array, out: Array) -> None:
-    """Write mean jerks by motion time on a way."""
+    """Write mean jerks by nominal time on a way."""
     for j in range(count):
         out[j] = (behind[j] - before[j]) * per
 

@@ -22,7 +22,7 @@ class Reference:
     """A motion at k control ticks.
 
     Attributes:
-        phi: motion times [s], shape (k,).
+        phi: nominal times [s], shape (k,).
         rows: coordinates, speeds and accelerations by real time.
         torque: that they take [N m | N], shape (k, n); None where it does not count.
         utilisation: utilisation of the limits.

@@ -31,9 +31,9 @@ def keep_limits(
 ) -> RetimedTrajectory | Infeasible:
     """Return the motion within its limits at every control tick, slowed where it must be.
 
-    Motion time φ goes at the rate w = dφ/dt <= 1. Where the plan is within the limits, w is 1 and nothing
-    else is computed. Else the fastest course under the limits of speed, acceleration and torque is found
-    backwards and forwards along the path; below it, a course without kinks by lowest values and means over
+    Nominal time φ goes at the rate w = dφ/dt <= 1. Where the plan is within the limits, w is 1 and nothing
+    else is computed. Else the fastest timing under the limits of speed, acceleration and torque is found
+    backwards and forwards along the path; below it, a timing without kinks by lowest values and means over
     windows; its excesses at control ticks are subtracted from the limits around there, and the same is done
     again. If some is left after that, the whole motion is slowed by it, so that nothing remains. The limits
     of the paths that the motion is on are kept along with the joint limits: slower and faster again within
@@ -99,7 +99,7 @@ def _slowed(
         motion: the plan.
         requested: its constraint rows at grid points.
         planned: the same, or without torque: that is then planned with only if it is found to be too much.
-        places: motion times [s], shape (m,).
+        places: nominal times [s], shape (m,).
         ticks: of control.
     """
     period = ticks.period

@@ -16,14 +16,14 @@ from ropsim.spatial import Array, record
 
 
 class Motion(Protocol):
-    """A planned motion over motion time φ, at rest at both ends, within the limits of its paths."""
+    """A planned motion over nominal time φ, at rest at both ends, within the limits of its paths."""
 
     @property
     def duration(self) -> float:
-        """Return the motion time of the end [s]."""
+        """Return the nominal time of the end [s]."""
 
     def at(self, phi: Array) -> JointPoints:
-        """Return the coordinates at motion times [s], (k,), and their derivatives by φ.
+        """Return the coordinates at nominal times [s], (k,), and their derivatives by φ.
 
         The arrays are new; the caller may write to them.
         """
@@ -37,8 +37,8 @@ class Slowed:
     """A part of a motion that goes slower than it was planned.
 
     Attributes:
-        start: motion time at which slowing begins [s].
-        end: motion time at which the plan's speed is there again [s].
+        start: nominal time at which slowing begins [s].
+        end: nominal time at which the plan's speed is there again [s].
         share: least rate in between, in ]0, 1[.
         joint: index of the joint with the greatest excess of the plan between the two.
         quantity: quantity of the excess.
@@ -56,9 +56,9 @@ class RetimedTrajectory:
     """A motion within its limits at every control tick.
 
     Attributes:
-        clock: motion time over real time.
+        clock: nominal time over real time.
         slowed: the parts that are slowed, in order; none where the plan is within the limits.
-        phi: motion times at the control ticks 0, 1, 2 … until it rests, see `Ticks` [s], shape (k,).
+        phi: nominal times at the control ticks 0, 1, 2 … until it rests, see `Ticks` [s], shape (k,).
         rows: coordinates, speeds and accelerations by real time there; a plan that takes them over ends with
             them exactly at rest.
     """
@@ -74,7 +74,7 @@ class Infeasible:
     """The first place at which no speed keeps the limits.
 
     Attributes:
-        phi: motion time of the place [s].
+        phi: nominal time of the place [s].
         joint: index of the joint.
         quantity: quantity of the excess.
         value: how much of that it would take [unit of the quantity], at the least speed that counts.
@@ -116,7 +116,7 @@ def too_slow(requested: ConstraintRows, places: Array, need: Need) -> Infeasible
 
     Args:
         requested: constraint rows of the plan.
-        places: motion times [s], shape (m,).
+        places: nominal times [s], shape (m,).
         need: binding constraint there.
     """
     bounds, kind = requested.bounds, tuple(Quantity).index(need.quantity)

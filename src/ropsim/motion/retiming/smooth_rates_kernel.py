@@ -44,7 +44,7 @@ def greatest_nearby(sigma: Array1, values: Array1, queue: Array1, out: Array1) -
 
 @kernel
 def rounded(sigma: Array1, rates: Array1, work: Array2, smooth: Array1, slopes: Array1) -> None:
-    """Write a smooth course of rates that is nowhere above the given one.
+    """Write a smooth timing of rates that is nowhere above the given one.
 
     The lowest rate within ±1 of σ is taken, then the mean over ±2/3, and of that over ±1/3. A mean over ±1 of
     values nowhere above the rates within ±1 is not above the rate, except for the error of the second mean
@@ -139,10 +139,10 @@ def smooth_course(
     smooth: Array1,
     changes: Array1,
 ) -> None:
-    """Write a course of rates without kinks that is nowhere above the given one, and its times.
+    """Write a timing of rates without kinks that is nowhere above the given one, and its times.
 
     Args:
-        places: motion times [s], rising, shape (m,).
+        places: nominal times [s], rising, shape (m,).
         x: squares of rates; these are nowhere exceeded, except for the least rate that counts, shape (m,).
         lasting: real times that windows last at least [s], shape (m,).
         width: factor of the windows, shape (m,).
@@ -190,7 +190,7 @@ def windows_last(
     """Write how long windows last, so that jerk limits let accelerations swing in them.
 
     Args:
-        first: first derivatives of joints and places on paths by motion time, shape (m, n + r).
+        first: first derivatives of joints and places on paths by nominal time, shape (m, n + r).
         most: bounds of their accelerations, shape (m, n + r), or (1, n + r) for the same at all places.
         jerk: bounds of their jerks.
         by_speed: longest time for the sake of the limits of speed [s].

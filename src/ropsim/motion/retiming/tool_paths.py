@@ -14,7 +14,7 @@ class Ways:
     motion is not on a path, s rests and its limits are infinity.
 
     Attributes:
-        speeds: ds/dφ by motion time φ.
+        speeds: ds/dφ by nominal time φ.
         accelerations: d²s/dφ².
         most_accelerations: limits of |d²s/dt²|, above 0.
         most_jerks: limits of |d³s/dt³|, above 0.
@@ -30,7 +30,7 @@ class Ways:
             object.__setattr__(self, name, frozen(getattr(self, name)))
 
     def beside(self, points: JointPoints) -> tuple[Array, Array]:
-        """Return first and second derivatives of n joints and r places by motion time, (k, n + r).
+        """Return first and second derivatives of n joints and r places by nominal time, (k, n + r).
 
         Args:
             points: the joints, k rows.
@@ -55,7 +55,7 @@ def steps_allowed(ways: Ways, phi: Array, period: float) -> Array:
 
     Args:
         ways: at control ticks.
-        phi: motion times there [s], rising, shape (k,).
+        phi: nominal times there [s], rising, shape (k,).
         period: of the control ticks [s].
     """
     jerks, gone = ways.most_jerks, np.diff(phi)[:, None]

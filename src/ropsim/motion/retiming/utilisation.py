@@ -34,10 +34,10 @@ class Going:
     """Rate of a path and its changes at k control ticks.
 
     Attributes:
-        points: the joints by motion time, k rows.
+        points: the joints by nominal time, k rows.
         ways: paths with separate limits, at the same ticks.
-        timing: motion times [s], rates, and changes of these [1/s], shape (3, k).
-        places: motion times between which excesses are expressed [s], rising, shape (m,).
+        timing: nominal times [s], rates, and changes of these [1/s], shape (3, k).
+        places: nominal times between which excesses are expressed [s], rising, shape (m,).
         still: torque of creeping there [N m | N], shape (m, n), or (m, 0) where torque does not count.
     """
 

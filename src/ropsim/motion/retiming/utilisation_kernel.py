@@ -256,9 +256,9 @@ def by_real_time(first: Array2, second: Array2, timing: Array2, out: Array3) -> 
     """Write speeds q'·w and accelerations q''·w² + q'·c of a motion at the rate w, which changes by c.
 
     Args:
-        first: first derivatives by motion time, shape (k, n).
+        first: first derivatives by nominal time, shape (k, n).
         second: second ones.
-        timing: motion times [s], rates w = dφ/dt, and their changes c [1/s], shape (3, k).
+        timing: nominal times [s], rates w = dφ/dt, and their changes c [1/s], shape (3, k).
         out: where they go, shape (2, k, n).
     """
     for k in range(first.shape[0]):

@@ -1,4 +1,4 @@
-"""The time law of a way of several pieces: jerk-limited, from rest to rest, as fast as its bounds allow."""
+"""The time law of a path of several pieces: jerk-limited, from rest to rest, as fast as its bounds allow."""
 
 from collections.abc import Iterable
 
@@ -17,21 +17,22 @@ _SEGMENTS = 8  # of a path segment, at most, up and the same number down
 
 
 def plan_time_law(path_limits: Iterable[Interval]) -> PiecewiseLaw:
-    """Return the time law of a way of p pieces, in time proportional to p and the look-ahead.
+    """Return the time law of a path of p path segments, in time proportional to p and the look-ahead.
 
-    The motion starts and ends at rest and keeps the bounds of each piece; its acceleration goes on where a
-    piece ends. Rises are as steep as the bounds allow, so are falls: the motion follows the lower of both,
-    and goes over between them at the highest speed there is. Between pieces whose bounds differ it is not
-    the fastest of all: a rise never waits, so that it may come to a bound too early: up to
-    23 % for two pieces of very different acceleration, none below a factor of three. One piece alone has the
-    S-curve of `plan_profile`, and so has a line that is cut into pieces.
+    The motion starts and ends at rest and keeps the bounds of each path segment; its acceleration goes on
+    where a path segment ends. Rises are as steep as the bounds allow, so are falls: the motion follows the
+    lower of both, and goes over between them at the highest speed there is. Between path segments whose
+    bounds differ it is not the fastest of all: a rise never waits, so that it may come to a bound too early:
+    up to 23 % for two path segments of very different acceleration, none below a factor of three. One path
+    segment alone has the S-curve of `plan_profile`, and so has a line that is cut into path segments.
 
     Args:
-        path_limits: bounds of the pieces, in their order.
+        path_limits: bounds of the path segments, in their order.
 
     Raises:
-        ProfileError: M540, where there are no pieces, a length, bound or ratio is not from 1e-50 to 1e50, in
-            its own unit or that of the first piece (a ratio may be 0), or a horizon lies before its piece.
+        ProfileError: M540, where there are no path segments, a length, bound or ratio is not from 1e-50 to
+            1e50, in its own unit or that of the first path segment (a ratio may be 0), or a horizon lies
+            before its path segment.
 
     References:
         Biagiotti and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4.
@@ -47,10 +48,10 @@ def jerk_limited(bounds: Array, counts: Array) -> PiecewiseLaw:
     """Return the result of `plan_time_law` for intervals in rows, over path segments of several of them.
 
     Args:
-        bounds: of the stages, in their order: length, speed, acceleration, jerk, ratio, horizon, see
+        bounds: of the path limits, in their order: length, speed, acceleration, jerk, ratio, horizon, see
             `Interval`;
-            within a piece the ratio is 1; shape (s, 6), one or more.
-        counts: how many stages each piece has, one or more, shape (p,); their sum is s.
+            within a path segment the ratio is 1; shape (s, 6), one or more.
+        counts: how many path limits each path segment has, one or more, shape (p,); their sum is s.
 
     Raises:
         ProfileError: M540, as there.
@@ -62,7 +63,7 @@ def jerk_limited(bounds: Array, counts: Array) -> PiecewiseLaw:
 
 
 def _planned(bounds: Array) -> PiecewiseLaw:
-    """Return the time law of pieces, rows as for `plan_segments`, shape (p, 6)."""
+    """Return the time law of path segments, rows as for `plan_segments`, shape (p, 6)."""
     ways, courses, rows, ends, result = _rooms(len(bounds))
     time_law_kernel.plan_segments(bounds, ways, courses, rows, ends, result)
     return PiecewiseLaw(rows[:, : _count(result, bounds)].copy(), ends)

@@ -16,8 +16,8 @@ class LawRows:
     """Where a motion is at k times, each of shape (k,).
 
     Attributes:
-        path_segments: index of the piece.
-        places: parameter s of that piece.
+        path_segments: index of the path segment.
+        places: parameter s of that path segment.
         speeds: ds/dt [1/s].
         accelerations: d²s/dt² [1/s²].
     """

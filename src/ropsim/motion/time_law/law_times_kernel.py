@@ -1,7 +1,7 @@
 """When a motion of constant jerks is at given places, in loops that numba compiles.
 
-Segments stand in columns: piece, time at the start [s], place, speed, acceleration, jerk, duration [s], place
-at the end; see `TimeLaw`.
+Segments stand in columns: path segment, time at the start [s], place, speed, acceleration, jerk, duration
+[s], place at the end; see `TimeLaw`.
 """
 
 from math import inf, isnan, sqrt
@@ -24,12 +24,12 @@ NEARLY_EVEN = 0.2
 def times_at(
     segments: Array2, ends: Array1, path_segments: Array1, places: Array1, out: Array1, result: Array1
 ) -> None:
-    """Write the time [s] at which the motion is at each of some places of pieces.
+    """Write the time [s] at which the motion is at each of some places of path segments.
 
     Args:
         segments: shape (8, m).
-        ends: times [s] at which the pieces end, shape (p,).
-        path_segments: index of the piece of each place, best in order, shape (k,).
+        ends: times [s] at which the path segments end, shape (p,).
+        path_segments: index of the path segment of each place, best in order, shape (k,).
         places: on it; those outside of it count as its start or end; shape (k,).
         out: where the times go, shape (k,).
         result: output for the number of times; fewer than k if a path segment does not exist.
@@ -54,8 +54,8 @@ def times_along(segments: Array2, ends: Array1, path_segments: Array1, places: A
 
     Args:
         segments: shape (8, m).
-        ends: times [s] at which the pieces end, shape (p,).
-        path_segments: index of the piece of each place, rising, shape (k,).
+        ends: times [s] at which the path segments end, shape (p,).
+        path_segments: index of the path segment of each place, rising, shape (k,).
         places: on it, in order; those outside of it count as its start or end; shape (k,).
         out: where the times go, shape (k,).
     """
@@ -113,12 +113,12 @@ def _near(segments: Array, row: int, way: float, u: float) -> float:
 
 @kernel
 def time_at(segments: Array2, ends: Array1, path_segment: int, place: float, out: Array1) -> None:
-    """Write the time [s] at which the motion is at a place of a piece that there is; see `times_at`.
+    """Write the time [s] at which the motion is at a place of a path segment that there is; see `times_at`.
 
     Args:
         segments: shape (8, m).
-        ends: times [s] at which the pieces end, shape (p,).
-        path_segment: index of the piece.
+        ends: times [s] at which the path segments end, shape (p,).
+        path_segment: index of the path segment.
         place: on it; one outside of it counts as its start or end.
         out: where the time goes, shape (1,).
     """
@@ -128,7 +128,7 @@ def time_at(segments: Array2, ends: Array1, path_segment: int, place: float, out
 
 
 def _time_of(segments: Array, ends: Array, path_segment: int, beyond: int, row: int, place: float) -> float:
-    """Return the time [s] of a place of a piece, which is in a segment if it is on the piece."""
+    """Return the time [s] of a place of a path segment, within one of its segments."""
     if place >= segments[7, beyond - 1]:
         return float(ends[path_segment])
     if isnan(place):
@@ -139,7 +139,7 @@ def _time_of(segments: Array, ends: Array, path_segment: int, beyond: int, row: 
 
 
 def _row_of(segments: Array, place: float, first: int, beyond: int, row: int) -> int:
-    """Return the last segment of a piece that starts no later than at a place, searched first at `row`."""
+    """Return the last segment that starts no later than at a place, searched first at `row`."""
     low, high = first, beyond
     if row > first and segments[2, row] <= place:
         low = row

@@ -5,7 +5,8 @@ from math import inf, sqrt
 from ropsim.spatial import Array
 
 LEVELLED = 8e-15
-"""Relative; a speed that differs by no more from another one is that: so far several pieces round it."""
+"""Relative; a speed that differs by no more from another one is that: so far several path segments round
+it."""
 ROUNDS = 100
 """More steps than any search here needs, were it by halves alone."""
 NEAREST = 4e-16
@@ -18,7 +19,7 @@ SIXTH, THIRD = 1.0 / 6.0, 1.0 / 3.0
 
 
 def stoppable_speed(way: Array, path_segment: int, place: float, ahead: int) -> float:
-    """Return a speed, without acceleration, from which the motion can stop before the horizon of a piece.
+    """Return a speed, without acceleration, from which the motion can stop before a horizon.
 
     Segments behind the horizon do not matter if both are equally fast. The backward pass from there is kept.
     """
@@ -107,12 +108,13 @@ def crossing_time(way: float, v: float, a: float, j: float) -> float:
 def level_off(
     way: Array, path_segment: int, place: float, v: float, a: float, since: int
 ) -> tuple[int, int, float, float, int, float]:
-    """Level the motion off from a place; `since` is the first piece whose horizon counts.
+    """Level the motion off from a place; `since` is the first path segment whose horizon counts.
 
     Returns:
         0 where that keeps all bounds, 1 where it leads too fast over a boundary, 2 where its end is too fast
-        for its piece; piece, place and speed at the end; the first boundary or piece where it is too fast;
-        how much faster the end is with a little more acceleration at the start, as a share of that.
+        for its path segment; path segment, place and speed at the end; the first boundary or path segment
+        where it is too fast; how much faster the end is with a little more acceleration at the start, as a
+        share of that.
     """
     p = way.shape[1] - 1
     fault, k, where = 0, path_segment, 0
@@ -167,7 +169,7 @@ def state_after(
 
 
 def levelled_place(place: float, v: float, a: float, jerk: float) -> float:
-    """Return the place at which a motion is levelled off, were its piece endless."""
+    """Return the place at which a motion is levelled off, were its path segment endless."""
     t = a / jerk
     return place + t * (v + a * t * THIRD)
 

@@ -1,4 +1,4 @@
-"""A time law over stages, expressed over longer path segments, in loops that numba compiles."""
+"""A time law over path limits, expressed over longer path segments, in loops that numba compiles."""
 
 from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.motion.time_law.time_law_kernel import plan_segments
@@ -19,13 +19,14 @@ def plan_longer(
     """Write the result of `plan_segments`, expressed over path segments of several intervals.
 
     Args:
-        bounds: of the stages, see `plan_segments`, and so are ways, courses, rows and ends, shape (s, 6).
-        counts: how many stages are one piece, in order, shape (c,); their sum is s.
+        bounds: of the path limits, see `plan_segments`, and so are ways, timings, rows and ends, shape (s,
+            6).
+        counts: how many path limits are one path segment, in order, shape (c,); their sum is s.
         ways: see there.
         courses: see there.
-        rows: see there; they count pieces.
-        ends: see there, of the stages, shape (s,).
-        longer_ends: where the times [s] go at which the pieces end, shape (c,).
+        rows: see there; they count path segments.
+        ends: see there, of the path limits, shape (s,).
+        longer_ends: where the times [s] go at which the path segments end, shape (c,).
         result: see there.
     """
     plan_segments(bounds, ways, courses, rows, ends, result)
@@ -34,18 +35,18 @@ def plan_longer(
 
 
 def _over_longer(segments: Array, count: int, ends: Array, counts: Array, longer_ends: Array) -> None:
-    """Make segments over pieces those over longer pieces, each of several pieces with the same unit.
+    """Change the numbers of path segments to those of longer ones, each of several with the same unit.
 
     Args:
-        segments: columns as in `TimeLaw`, of every piece one or more; they change; shape (8, m or more).
+        segments: columns as in `TimeLaw`, of every path segment one or more; they change; shape (8, m or
+            more).
         count: of them, m.
-        ends: times [s] at which the pieces end, shape (p,).
-        counts: how many pieces are one, in order, shape (c,); their sum is p.
-        longer_ends: where the times [s] go at which the longer pieces end, shape (c,).
+        ends: times [s] at which the path segments end, shape (p,).
+        counts: how many path segments are one, in order, shape (c,); their sum is p.
+        longer_ends: where the times [s] go at which the longer path segments end, shape (c,).
     """
-    number = path_segment = int(
-        segments[0, 0]
-    )  # 0; a number in the text would be a type of its own for numba
+    # 0; a number in the text would be a type of its own for numba
+    number = path_segment = int(segments[0, 0])
     left, gone, first, length = int(counts[0]), 0.0, 0.0, 0.0
     for k in range(count):
         if int(segments[0, k]) != path_segment:

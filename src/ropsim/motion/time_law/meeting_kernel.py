@@ -80,7 +80,7 @@ def _summit(way: Array, timing: Array, start: int, top: float) -> tuple[int, flo
     """Return where the rise from a boundary is levelled off to a speed, and where that ends.
 
     Returns:
-        segment and time in it; piece and place.
+        segment and time in it; path segment and place.
     """
     first, last = int(way[6, start]), int(way[7, start])
     row, high = first - 1, last - 1
@@ -131,7 +131,7 @@ def _copy(
     """Write the rise from a boundary until a time of a segment, and levelled off behind it.
 
     Returns:
-        the number of all segments, and piece and place at the end.
+        the number of all segments, and path segment and place at the end.
     """
     v, a, change = 0.0, 0.0, 0.0
     for i in range(int(way[6, start]), row + 1):

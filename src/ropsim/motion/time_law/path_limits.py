@@ -1,4 +1,4 @@
-"""Stages one behind the other, as rows of numbers: long ways have thousands, planned again and again."""
+"""Path limits one behind the other, as rows of numbers: long ways have thousands, planned again and again."""
 
 from collections.abc import Iterable, Iterator
 

@@ -10,15 +10,15 @@ from ropsim.spatial import Array, record
 
 @record
 class PiecewiseLaw:
-    """A motion from rest to rest over p pieces, in m segments of constant jerk.
+    """A motion from rest to rest over p path segments, in m segments of constant jerk.
 
-    Where a piece ends, ds/dt and d²s/dt² change only by the ratio of the pieces' units.
+    Where a path segment ends, ds/dt and d²s/dt² change only by the ratio of the path segments' units.
 
     Attributes:
-        segments: a column for each, in the order of time: index of the piece, time at the start [s], then
-            s, ds/dt [1/s], d²s/dt² [1/s²] there, d³s/dt³ [1/s³] in it, its duration [s] and
+        segments: a column for each, in the order of time: index of the path segment, time at the start [s],
+            then s, ds/dt [1/s], d²s/dt² [1/s²] there, d³s/dt³ [1/s³] in it, its duration [s] and
             s at its end, of shape (8, m).
-        ends: times [s] at which the pieces end, shape (p,).
+        ends: times [s] at which the path segments end, shape (p,).
     """
 
     segments: Array
@@ -35,7 +35,7 @@ class PiecewiseLaw:
 
     @property
     def path_segments(self) -> Indices:
-        """Return the index of the piece of each segment, shape (m,)."""
+        """Return the index of the path segment of each segment, shape (m,)."""
         return np.asarray(self.segments[0], dtype=np.int64)
 
     @property
@@ -66,7 +66,7 @@ class PiecewiseLaw:
     def at(self, times: npt.ArrayLike) -> LawRows:
         """Return where the motion is at the times [s], shape (k,); outside of the motion it rests.
 
-        At the time at which a piece ends, the next one has begun. Start and end are exact.
+        At the time at which a path segment ends, the next one has begun. Start and end are exact.
         """
         requested = np.ascontiguousarray(times, dtype=np.float64)
         out = np.empty((4, len(requested)))
@@ -74,11 +74,11 @@ class PiecewiseLaw:
         return LawRows(out[0].astype(np.int64), out[1], out[2], out[3])
 
     def times_of(self, pieces: npt.ArrayLike, places: npt.ArrayLike) -> Array:
-        """Return when the motion is at places of pieces [s].
+        """Return when the motion is at places of path segments [s].
 
         Args:
             pieces: index of one for all places, or of one for each, shape (k,); quickest in order.
-            places: values of s, shape (k,); those outside of their piece count as its start or end.
+            places: values of s, shape (k,); those outside of their path segment count as its start or end.
 
         Returns:
             the times, shape (k,), in the order of the places.
@@ -96,7 +96,7 @@ class PiecewiseLaw:
         return out
 
     def time_of(self, path_segment: int, place: float) -> float:
-        """Return when the motion is at a place of a piece [s]; see `times_of`.
+        """Return when the motion is at a place of a path segment [s]; see `times_of`.
 
         Args:
             path_segment: index of it.

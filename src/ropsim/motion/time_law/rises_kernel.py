@@ -69,7 +69,7 @@ def write_rises(way: Array, timing: Array) -> None:
 def _latest(
     way: Array, k: int, v: float, a: float, until: float, most: float, end: float
 ) -> tuple[float, float, int, int]:
-    """Return until when a rise goes on in a piece that it cannot cross.
+    """Return until when a rise goes on in a path segment that it cannot cross.
 
     Returns:
         the time; the speed to which it is levelled off then; 0 where it goes on behind the boundary that
@@ -221,7 +221,7 @@ def _levelled_at(
 def _add_rise(
     way: Array, timing: Array, n: int, k: int, rise: _Rise, end: float, last: float, reached: float
 ) -> int:
-    """Write the segments of a rise in piece k up to a time and place; return the number of all."""
+    """Write the segments of a rise in path segment k up to a time and place; return the number of all."""
     jerk = way[3, k]
     if end <= rise.until:
         return _add(timing, n, k, 0.0, rise.v, rise.a, jerk, end, last, reached)

@@ -1,22 +1,23 @@
-"""A way of several pieces in little time, in plain loops that numba compiles.
+"""A way of several path segments in little time, in plain loops that numba compiles.
 
-A rise starts without acceleration and takes as much jerk, then as much acceleration, as its piece allows,
-while it can still be levelled off (its acceleration taken back to 0 with the full jerk of the pieces that
-this leads through) without breaking a bound. Where it could no longer, it is levelled off until the piece
-that was in the way is reached. Where a rise is too fast for the following segments, a new one starts at the
-bound there. A fall is a rise on the way back. So there is a course of rises from the start, one of falls from
-the end, and the motion follows the lower one of both. Where a rise meets a fall, both are levelled off to the
-highest speed at which one is still before the other. Passes from both ends follow time-optimal motions along
-paths (Bobrow, Dubowsky and Gibson 1985, Time-Optimal Control of Robotic Manipulators Along Specified Paths,
-Int. J. Robotics Research 4(3)), segments follow the S-curve (Biagiotti and Melchiorri 2008, Trajectory
-Planning for Automatic Machines and Robots, section 3.4).
+A rise starts without acceleration and takes as much jerk, then as much acceleration, as its path segment
+allows, while it can still be levelled off (its acceleration taken back to 0 with the full jerk of the path
+segments that this leads through) without breaking a bound. Where it could no longer, it is levelled off until
+the path segment that was in the way is reached. Where a rise is too fast for the following segments, a new
+one starts at the bound there. A fall is a rise on the way back. So there is a timing of rises from the start,
+one of falls from the end, and the motion follows the lower one of both. Where a rise meets a fall, both are
+levelled off to the highest speed at which one is still before the other. Passes from both ends follow
+time-optimal motions along paths (Bobrow, Dubowsky and Gibson 1985, Time-Optimal Control of Robotic
+Manipulators Along Specified Paths, Int. J. Robotics Research 4(3)), segments follow the S-curve (Biagiotti
+and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4).
 
-In a table of a way stand, piece by piece: length, speed, acceleration, jerk, bound of the speed at its start,
-horizon; then, where a rise starts at a piece, its first segment, the one behind its last, and the speed to
-which its end can be levelled off; then the speed at its start from which all of the rest can be made; at
-last, for its horizon, a piece and the speed at the end of that from which the motion can stop in time, if
-already found. The last column is the end of the way. In a table of segments stand piece, place, speed,
-acceleration, jerk, duration, place at the end, and the speed to which its start can be levelled off.
+In a table of a path stand, path segment by piece: length, speed, acceleration, jerk, bound of the speed at
+its start, horizon; then, where a rise starts at a path segment, its first segment, the one behind its last,
+and the speed to which its end can be levelled off; then the speed at its start from which all of the rest can
+be made; at last, for its horizon, a path segment and the speed at the end of that from which the motion can
+stop in time, if already found. The last column is the end of the way. In a table of segments stand path
+segment, place, speed, acceleration, jerk, duration, place at the end, and the speed to which its start can be
+levelled off.
 """
 
 from math import inf
@@ -28,24 +29,24 @@ from ropsim.motion.time_law.rises_kernel import write_rises
 from ropsim.spatial import Array
 
 LEAST, MOST = 1e-50, 1e50
-"""Between them lie the numbers of a piece; values computed from them are then finite."""
+"""Between them lie the numbers of a path segment; values computed from them are then finite."""
 
 
 @kernel
 def plan_segments(
     bounds: Array2, ways: Array3, courses: Array3, rows: Array2, ends: Array1, result: Array1
 ) -> None:
-    """Write the segments of constant jerk that take the motion from rest to rest over p pieces.
+    """Write the segments of constant jerk that take the motion from rest to rest over p path segments.
 
     Args:
-        bounds: of the pieces in columns: length, speed, acceleration, jerk, ratio, horizon (see `Stage`), of
-            shape (p, 6).
+        bounds: of the path segments in columns: length, speed, acceleration, jerk, ratio, horizon (see
+            `Stage`), of shape (p, 6).
         ways: room for the tables of the way there, the way back, and units and lengths, shape (3, 12, p + 1).
         courses: room for the tables of rises, of falls, and for segments on the way back, of shape
             (3, 8, 8·p).
-        rows: where the segments go: piece, time at the start [s], place, speed, acceleration, jerk, duration
-            [s], place at the end; of shape (8, 16·p).
-        ends: where the times [s] go at which the pieces end, shape (p,).
+        rows: where the segments go: path segment, time at the start [s], place, speed, acceleration, jerk,
+            duration [s], place at the end; of shape (8, 16·p).
+        ends: where the times [s] go at which the path segments end, shape (p,).
         result: becomes the number of segments, or -1 and the index of a path segment whose bounds no motion
             can have, shape (2,).
     """
@@ -66,7 +67,7 @@ def plan_segments(
 
 
 def _lay_out(bounds: Array, ways: Array) -> int:
-    """Write the tables of the way there and back; return the index of a piece that is wrong, or -1."""
+    """Write the tables of the way there and back; return the index of a path segment that is wrong, or -1."""
     p = bounds.shape[0]
     there, back, units, gone = ways[0], ways[1], ways[2, 0], ways[2, 1]
     units[0], gone[0] = 1.0, 0.0
@@ -96,7 +97,7 @@ def _lay_out(bounds: Array, ways: Array) -> int:
 
 
 def _time(bounds: Array, units: Array, rows: Array, n: int, ends: Array) -> int:
-    """Write the times of n segments, and all in the units of their pieces; return how many last."""
+    """Write the times of n segments, and all in the units of their path segments; return how many last."""
     time, count = 0.0, 0
     for k in range(n):
         i = int(rows[0, k])
@@ -119,7 +120,7 @@ def _time(bounds: Array, units: Array, rows: Array, n: int, ends: Array) -> int:
 
 
 def _is_wrong(bounds: Array, way: Array, i: int) -> bool:
-    """Return whether a number of a piece is none that a motion can have."""
+    """Return whether a number of a path segment is none that a motion can have."""
     for k in range(4):
         if not (LEAST <= bounds[i, k] <= MOST and LEAST <= way[k, i] <= MOST):
             return True

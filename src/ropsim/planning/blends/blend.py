@@ -1,4 +1,4 @@
-"""Corners of a sequence: how the path goes from one move to the next where a zone is in force."""
+"""Blends of a sequence: how the path goes from one move to the next where a zone is in force."""
 
 from enum import Enum
 
@@ -26,7 +26,7 @@ LEAST_ZONE = 1e-6
 
 
 class Stop(Enum):
-    """Why the arm stops at a corner though a zone is in force."""
+    """Why the arm stops at a blend though a zone is in force."""
 
     TURNS_BACK = "the path turns back on itself there"
     STANDS = "the tool only turns on one side of it"
@@ -40,10 +40,10 @@ class Stop(Enum):
 
 @record
 class CartesianBlend:
-    """A corner between two paths of the tool, rounded by a third one.
+    """A blend between two paths of the tool, rounded by a third one.
 
     Attributes:
-        zone: distance of the TCP from the corner at which the path leaves and enters [m].
+        zone: distance of the TCP from the blend at which the path leaves and enters [m].
         leave: place on the path before, in its unit.
         enter: place on the path behind, in its unit.
         tool: the way between, in the base frame or that of the coordination.
@@ -61,10 +61,10 @@ class CartesianBlend:
 
 @record
 class JointSpaceBlend:
-    """A corner at which the next move begins while the one before still ends: both motions are added.
+    """A blend at which the next move begins while the one before still ends: both motions are added.
 
     Attributes:
-        zone: distance of the TCP from the corner within which both may last, on the longer of the paths [m].
+        zone: distance of the TCP from the blend within which both may last, on the longer of the paths [m].
         shorter: the same on the shorter one [m].
         leave: place on the path before from which on the next move may begin, in its unit.
         enter: place on the path behind up to which the one before may last, in its unit.
@@ -82,7 +82,7 @@ Blend = CartesianBlend | JointSpaceBlend
 
 
 def blend_between(chain: MotionChain, before: PlannedMove, behind: PlannedMove) -> Blend | Stop:
-    """Return the corner between two moves, or why the arm must stop there.
+    """Return the blend between two moves, or why the arm must stop there.
 
     Two paths of one tool are joined by a path of the tool, seen from a frame in which both are given. Where
     there is none, a path in joint space takes part, or the tool changes, the motions overlap: the path of the
@@ -90,7 +90,7 @@ def blend_between(chain: MotionChain, before: PlannedMove, behind: PlannedMove) 
 
     Args:
         chain: the entities.
-        before: the move that ends at the corner, with a zone.
+        before: the move that ends at the blend, with a zone.
         behind: the move that begins there.
     """
     if chain.controller.look_ahead < 1:

@@ -11,7 +11,7 @@ class Meeting:
     """Two paths of one tool, one after the other.
 
     Attributes:
-        before: the path that ends at the corner, in the frame of the meeting.
+        before: the path that ends at the blend, in the frame of the meeting.
         behind: the path that begins there, in the same frame.
         axes: external axes along the two, both seen from that frame; None where all of them stand on both.
     """

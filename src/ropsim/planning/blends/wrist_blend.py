@@ -1,4 +1,4 @@
-"""The way round a corner between two paths that the wrist leads: its joints go on smoothly."""
+"""The way round a blend between two paths that the wrist leads: its joints go on smoothly."""
 
 import numpy as np
 
@@ -15,10 +15,10 @@ from ropsim.spatial import record
 
 @record
 class WristCorner:
-    """The way round a corner.
+    """The way round a blend.
 
     Attributes:
-        tool: the path of the tool, in the frame of the corner.
+        tool: the path of the tool, in the frame of the blend.
         joints: that lead it.
     """
 
@@ -38,15 +38,15 @@ def wrist_corner(
     path: ToolPath,
     along: Coordination | None,
 ) -> WristCorner | None:
-    """Return the way round a corner, None where the arm cannot keep it in the posture of both sides.
+    """Return the way round a blend, None where the arm cannot keep it in the posture of both sides.
 
     The joints of the wrist have angles, slopes and bends of both sides at its ends.
 
     Args:
         robot: the arm with its external axes.
-        before: the move that ends at the corner, and the place at which its path is left.
+        before: the move that ends at the blend, and the place at which its path is left.
         behind: the move that begins there, and the place at which its path is entered.
-        path: of the tool round the corner, in the base frame or that of the external axes.
+        path: of the tool round the blend, in the base frame or that of the external axes.
         along: external axes on it; None where they stand.
     """
     first, last = _joints(*before), _joints(*behind)

@@ -22,7 +22,7 @@ from ropsim.planning.blends.zone_search_kernel import SearchPaths, SearchWork, z
 from ropsim.spatial import Array, Pose
 
 Crossing = tuple[float, float]
-"""A place in the unit of the path, and how far the TCP is from the corner there [m]."""
+"""A place in the unit of the path, and how far the TCP is from the blend there [m]."""
 
 
 class Way(Protocol):

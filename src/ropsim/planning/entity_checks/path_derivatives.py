@@ -18,7 +18,7 @@ P = TypeVar("P", JointPoints, ToolPoints)
 _LOOKS = 9
 """Places at which derivatives are compared."""
 _ASIDE = (np.sqrt(5.0) - 1.0) / 2.0
-"""Where in its part of the path each of them lies: at no simple share of it, where pieces may meet."""
+"""Where in its part of the path each of them lies: at no simple share of it, where path segments may meet."""
 _STEPS = (1e-4, 1e-5, 1e-6)
 """Shares of a path over which derivatives are compared with differences. Where a path weaves, differences
 over a longer share are far off; a wrong derivative is off over all of them."""
@@ -104,7 +104,7 @@ def _unlike(
 ) -> Refusal | None:
     """Return C603 where derivatives differ from differences over any step, and on either side.
 
-    Pieces may meet on one of the sides.
+    Path segments may meet on one of the sides.
 
     Args:
         entity: who is named.

@@ -58,7 +58,7 @@ def slowed_findings(
 
     Args:
         moves: the moves.
-        ends: motion times at which they end [s].
+        ends: nominal times at which they end [s].
         slowed: the parts of the motion that are slower than planned.
         robot: the arm.
     """
@@ -90,11 +90,11 @@ def beyond_refusal(move: PlannedMove, beyond: Infeasible, robot: RobotModel) -> 
 
 
 def move_at(ends: Sequence[float], phi: float) -> int:
-    """Return the number of the move that goes on at a motion time [s].
+    """Return the number of the move that goes on at a nominal time [s].
 
     Args:
-        ends: motion times at which the moves end [s].
-        phi: motion time [s].
+        ends: nominal times at which the moves end [s].
+        phi: nominal time [s].
     """
     return min(bisect_right(ends, phi), len(ends) - 1)
 

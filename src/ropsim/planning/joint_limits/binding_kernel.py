@@ -150,7 +150,7 @@ def four_in_a_row(
 def tool_on_pieces(
     poses: Array3, starts: Array1, tools: Array3, samples: Array1, path_segments: Array2, on: Array1
 ) -> None:
-    """Put the tools on, and write on which pieces looks lie; see `put_on` and `piece_numbers`."""
+    """Put the tools on, and write on which path segments looks lie; see `put_on` and `piece_numbers`."""
     put_on(poses, starts, tools)
     count = int(starts[tools.shape[0]])
     piece_numbers(samples[:count], path_segments, on[:count])
@@ -177,12 +177,12 @@ def put_on(poses: Array3, starts: Array1, tools: Array3) -> None:
 
 @kernel
 def piece_numbers(samples: Array1, path_segments: Array2, on: Array1) -> None:
-    """Write the numbers of the pieces on which looks lie.
+    """Write the numbers of the path segments on which looks lie.
 
     Args:
         samples: numbers of the ticks that are looked at, rising, shape (k,).
         path_segments: the last tick before each of them begins, and the last one on it, rising, shape (p, 2).
-        on: where the answers go, -1.0 for no piece, shape (k,).
+        on: where the answers go, -1.0 for no path segment, shape (k,).
     """
     path_segment = 0
     for k in range(samples.shape[0]):
@@ -208,21 +208,22 @@ def tool_reached(
 ) -> None:
     """Write at how many looks at each move speed, acceleration and jerk of the tool are at their limits.
 
-    Looks at a move are taken together as far as they lie on one piece, and those that lie on none.
+    Looks at a move are taken together as far as they lie on one path segment, and those that lie on none.
 
     Args:
-        poses: of the tool at four ticks in a row from each of k looks on, in the frame of the piece, one
-            behind the other, shape (4·k, 4, 4).
+        poses: of the tool at four ticks in a row from each of k looks on, in the frame of the path segment,
+            one behind the other, shape (4·k, 4, 4).
         starts: the first look at each of m moves, and k, shape (m + 1,).
-        on: number of the piece on which each look lies, -1.0 for none, shape (k,).
+        on: number of the path segment on which each look lies, -1.0 for none, shape (k,).
         least: from which on a step, a change of it, and a change of that count as at the limit: of the
             position [m], then of the orientation [rad], shape (m, 2, 3).
         used: whether another limit is reached at a look, else 0, shape (k,).
         counts: where the answers go, first of the position, then of the orientation, 0 where that stays the
-            same from the first look on a piece to the last; shape (m, 6).
+            same from the first look on a path segment to the last; shape (m, 6).
         longest: becomes the number of the greatest answer for each move, 0 to 2 for speed, acceleration and
             jerk, and that, shape (m, 2).
-        idle: becomes the number of the piece for a look at which no limit is reached, else -1.0, shape (k,).
+        idle: becomes the number of the path segment for a look at which no limit is reached, else -1.0, shape
+            (k,).
     """
     for m in range(least.shape[0]):
         begin, end = int(starts[m]), int(starts[m + 1])
@@ -251,7 +252,7 @@ def tool_reached(
 def _count(
     poses: Array, on: Array, first: int, last: int, least: Array, used: Array, counts: Array, idle: Array
 ) -> None:
-    """Count the looks from one to another one that lie on the same piece as these."""
+    """Count the looks from one to another one that lie on the same path segment as these."""
     turns = False
     for i in range(3):
         for j in range(3):

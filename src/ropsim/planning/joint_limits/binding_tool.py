@@ -73,7 +73,7 @@ def binding_of_tools(
 def _counts(
     plan: MotionPlan, moves: Sequence[TimedMove], numbers: Sequence[int], samples: Looks, robot: RobotModel
 ) -> tuple[list[float], list[list[float]], Array]:
-    """Return at how many looks limits are reached, and on which piece each look lies at which none is.
+    """Return at how many looks limits are reached, and on which path segment each look lies at which none is.
 
     Args:
         plan: of a sequence.
@@ -120,7 +120,7 @@ def _bent_looks(plan: MotionPlan, idle: list[float]) -> int:
 
     Args:
         plan: of a sequence.
-        idle: on which piece each look lies at which no limit is reached, else -1.0.
+        idle: on which path segment each look lies at which no limit is reached, else -1.0.
     """
     bent = 0
     for number in set(idle):

@@ -14,7 +14,7 @@ class EvaluatedTrajectory:
     """A trajectory, and its utilisation of the joint limits.
 
     Attributes:
-        motion: of the sequence on the course.
+        motion: of the sequence on the timing.
         reference: at ticks, and its utilisation of the limits.
         ticks: at which it was evaluated: control ticks, or a few of them.
         slowed: where it is slower than its bounds would have it.
@@ -27,7 +27,7 @@ class EvaluatedTrajectory:
 
     @property
     def timing(self) -> Timing:
-        """Return the course of the sequence."""
+        """Return the timing of the sequence."""
         return self.motion.timing
 
     def loaded(self, arm: ArmBounds) -> "EvaluatedTrajectory":

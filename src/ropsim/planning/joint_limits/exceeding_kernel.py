@@ -16,8 +16,8 @@ def exceeding(
     Args:
         used: of the limits, shape (4, k).
         allowed: what may be used, 1 and rounding.
-        phi: motion times of the ticks, rising [s], shape (k,).
-        spans: motion times behind which a span begins and up to which it goes [s], shape (r, 2 or more).
+        phi: nominal times of the ticks, rising [s], shape (k,).
+        spans: nominal times behind which a span begins and up to which it goes [s], shape (r, 2 or more).
         ticks: where the numbers of the ticks go, shape (k,).
         result: becomes the index in `ticks` of the first one in each span and that after the last, (r, 2).
     """

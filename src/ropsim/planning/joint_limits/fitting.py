@@ -26,9 +26,9 @@ from ropsim.planning.trajectory.timing import timing_of
 from ropsim.spatial import Array
 
 _SPACING = 4e-3
-"""Motion time of a band, about [s]."""
+"""Nominal time of a cell, about [s]."""
 _FEWEST = 8
-"""Ways between the times that even bands would have, at least."""
+"""Ways between the times that even cells would have, at least."""
 _ATTEMPTS = 40
 _ROUNDS = 10
 """How often a part is slowed as a whole that still exceeds a limit then."""
@@ -36,13 +36,13 @@ _LESS = 1e-4
 """Reduction beyond an excess; each attempt reduces more."""
 _TORQUE = list(Quantity).index(Quantity.TORQUE)
 _LEAST = 1e-3
-"""Where joints leave less of the rate than this share, slowing by motion time has its finer means."""
+"""Where joints leave less of the rate than this share, slowing by nominal time has its finer means."""
 
 
 def fitted(
     planned: EvaluatedTrajectory, arm: ArmBounds, ticks: Ticks, rules: TimingRules
 ) -> EvaluatedTrajectory:
-    """Return the course with its bounds brought down where joints could not follow, with its torques.
+    """Return the timing with its bounds brought down where joints could not follow, with its torques.
 
     The limits of the program for the tool stay in every time law. Where joints leave next to nothing of the
     speed, or the motion would take far too long, the trajectory stays unchanged; so does one without a path
@@ -71,7 +71,7 @@ def fitted(
 def _fitted(
     planned: EvaluatedTrajectory, arm: ArmBounds, looked_at: ArmBounds, ticks: Ticks, rules: TimingRules
 ) -> EvaluatedTrajectory:
-    """Return the course with its bounds brought down; at first with regard to evaluated quantities alone."""
+    """Return the timing with its bounds brought down; at first with regard to evaluated quantities alone."""
     now, times, grid = planned, _band_times(planned), dict[int, LimitGrid]()
     for attempt in range(_ATTEMPTS + _ROUNDS):
         exceeded = _exceeding(now)
@@ -112,7 +112,7 @@ def _is_too_heavy(reference: Reference, arm: ArmBounds) -> bool:
 
 
 def _band_times(fit: EvaluatedTrajectory) -> Array:
-    """Return motion times between which bands lie [s], rising, shape (m,)."""
+    """Return nominal times between which cells lie [s], rising, shape (m,)."""
     reference, duration = fit.reference, fit.timing.duration
     count = max(math.ceil(duration / _SPACING), _FEWEST)
     ways, times, result = np.empty((2, count)), np.empty(MOST_PARTS * count + 1), np.empty(1)

@@ -1,4 +1,4 @@
-"""Between which times and places bands lie, in loops that numba compiles."""
+"""Between which times and places cells lie, in loops that numba compiles."""
 
 from math import ceil, inf, log, sqrt
 from typing import NamedTuple
@@ -12,7 +12,7 @@ from ropsim.spatial import Array
 SPEED, ACCELERATION, JERK = range(3)
 """Rows of what is used."""
 PLACE, TIME, FIRST_BOUND, PIECE = 0, 1, 2, 5
-"""Rows of bands."""
+"""Rows of cells."""
 MOST_PARTS = 64
 """Into which a way is divided, at most."""
 STEEP = 0.4
@@ -23,15 +23,15 @@ STEEP = 0.4
 def band_times(
     used: Array2, phi: Array1, duration: float, ways: Array2, times: Array1, result: Array1
 ) -> None:
-    """Write motion times that are about one real time apart, as dense as a motion must be slow there.
+    """Write nominal times that are about one real time apart, as dense as a motion must be slow there.
 
     Even ways between two times are divided by the rate that they and their neighbours leave, and where the
     speed that joints allow changes steeply.
 
     Args:
         used: of the limits at control ticks, in the order of `Quantity`, shape (4, k).
-        phi: motion times of the ticks, rising [s], shape (k,).
-        duration: motion time at the end [s].
+        phi: nominal times of the ticks, rising [s], shape (k,).
+        duration: nominal time at the end [s].
         ways: room to work in for w even ways, shape (2, w).
         times: where they go, from 0 to the end, rising, shape (64 · w + 1,).
         result: where their number goes, shape (1,).
@@ -105,14 +105,14 @@ def lay_grid(
     law: Array2,
     out: GridLines,
 ) -> None:
-    """Write the bands of a part, between the places where it is at times, and where stages end.
+    """Write the cells of a part, between the places where it is at times, and where path limits end.
 
     Args:
         section: its times.
         times: nominal times, rising [s], shape (k,).
-        path_limits: length, and bounds of speed, acceleration and jerk of each stage, shape (s, 4).
-        counts: how many stages each piece has, shape (p,).
-        near: below this share of the part a place and the end of a stage are one.
+        path_limits: length, and bounds of speed, acceleration and jerk of each path limit, shape (s, 4).
+        counts: how many path limits each path segment has, shape (p,).
+        near: below this share of the part a place and the end of a path limit are one.
         inner: work, shape (k,).
         law: work, shape (4, k).
         out: the results.
@@ -149,7 +149,7 @@ def lay_grid(
 
 
 def _begin(path_limits: Array, counts: Array, begins: Array) -> None:
-    """Write the places at which pieces begin, and the end of the last one."""
+    """Write the places at which path segments begin, and the end of the last one."""
     begins[0], stage, place = 0.0, 0, 0.0
     for path_segment in range(counts.shape[0]):
         for _ in range(int(counts[path_segment])):
@@ -159,7 +159,7 @@ def _begin(path_limits: Array, counts: Array, begins: Array) -> None:
 
 
 def _add(grid: Array, count: int, end: float, path_limits: Array, stage: int, path_segment: int) -> int:
-    """Write a band but for the time at its end; return the number of all."""
+    """Write a cell but for the time at its end; return the number of all."""
     grid[PLACE, count + 1], grid[PIECE, count] = end, path_segment
     for kind in range(3):
         grid[FIRST_BOUND + kind, count] = path_limits[stage, 1 + kind]

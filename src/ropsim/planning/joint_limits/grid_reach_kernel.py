@@ -1,4 +1,4 @@
-"""Bands in which caps count, in loops that numba compiles."""
+"""Cells in which caps count, in loops that numba compiles."""
 
 from ropsim.codegen import Array1, Array2, kernel
 from ropsim.planning.joint_limits.joint_imposed_kernel import JERK
@@ -18,7 +18,7 @@ motions that turn back last 0.3 % longer in the mean, with less a line often tak
 def reach_of(
     imposed: Array2, count: int, places: Array2, borders: Array1, before: Array2, ticks: Array2, reach: Array2
 ) -> None:
-    """Write the first and the last band in which each cap counts.
+    """Write the first and the last cell in which each cap counts.
 
     A joint-imposed limit applies in the cells of its tick and in a few next to them. With less jerk along the
     path, the time in which the acceleration changes gets longer by as much, in front of it or behind it: a
@@ -30,10 +30,10 @@ def reach_of(
         imposed: in columns kind, value, number of the tick, joint, quantity; of shape (5, h or more).
         count: of them, h.
         places: from which and up to which caps of a tick count, of b ticks, rising, shape (2, b).
-        borders: places between which the bands lie, shape (c + 1,).
+        borders: places between which the cells lie, shape (c + 1,).
         before: present bounds of speed, acceleration and jerk, shape (3, c).
         ticks: room to work in, shape (4, b).
-        reach: where the bands go, shape (2, h or more).
+        reach: where the cells go, shape (2, h or more).
     """
     most = borders.shape[0] - 2
     _bands_of_ticks(places, borders, ticks)
@@ -73,9 +73,9 @@ def _count_successive(places: Array, ticks: Array) -> None:
 
 
 def _band_of(borders: Array, place: float, near: int) -> int:
-    """Return the band in front of the first border behind a place, searched first at one and behind it.
+    """Return the cell in front of the first border behind a place, searched first at one and behind it.
 
-    It is -1 in front of all bands, and their number behind them.
+    It is -1 in front of all cells, and their number behind them.
     """
     low, high = 0, borders.shape[0]
     if near > 0 and near < high and borders[near] <= place:

@@ -1,4 +1,4 @@
-"""Bounds along a part of a stretch in bands, which joints that cannot follow bring down."""
+"""Bounds along a part of a stretch in cells, which joints that cannot follow bring down."""
 
 import numpy as np
 
@@ -34,15 +34,15 @@ class LimitGrid:
 
     Attributes:
         part: the planned section.
-        begins: places at which its pieces begin, and the end of the last one, shape (p + 1,).
-        legs: number of the move of each piece, shape (p,).
-        borders: from its start on, stages and pieces end at some of them, shape (c + 1,).
+        begins: places at which its path segments begin, and the end of the last one, shape (p + 1,).
+        legs: number of the move of each path segment, shape (p,).
+        borders: from its start on, path limits and path segments end at some of them, shape (c + 1,).
         times: at which the planned section is at the borders, from its start on [s], shape (c + 1,).
-        owners: number of the piece on which each band lies, shape (c,).
+        owners: number of the path segment on which each cell lies, shape (c,).
         planned: bounds of speed, acceleration and jerk along it, shape (3, c).
         bounds: the same with regard to joints, shape (3, c).
         causes: joint that brought one of them down last, and the number of the quantity, or -1, (2, c).
-        share: least share of its planned rate that a band is left, in ]0, 1].
+        share: least share of its planned rate that a cell is left, in ]0, 1].
     """
 
     part: Section
@@ -86,7 +86,7 @@ class LimitGrid:
         return Section(self.part.path_segments, path_limits, counts.astype(np.intp), law, self.part.over)
 
     def with_bounds(self, bounds: Array, causes: Array, share: float) -> "LimitGrid":
-        """Return the same with other bounds and causes, of which a band has the least share of its rate."""
+        """Return the same with other bounds and causes, of which a cell has the least share of its rate."""
         fixed = self.part, self.begins, self.legs, self.borders, self.times, self.owners, self.planned
         return LimitGrid(*fixed, bounds, causes, share)
 
@@ -97,11 +97,11 @@ class LimitGrid:
 
 
 def limit_grid_of(part: Section, times: Array, start: float) -> LimitGrid:
-    """Return the bands of a part.
+    """Return the cells of a part.
 
     Args:
-        part: of the stretch, with stages.
-        times: between which bands lie [s], rising, shape (m,); only times on the section count.
+        part: of the stretch, with path limits.
+        times: between which cells lie [s], rising, shape (m,); only times on the section count.
         start: of them at which the part begins [s].
     """
     # rooms of a part are as large as that, not as the stretch: rounding may take one time more at each end

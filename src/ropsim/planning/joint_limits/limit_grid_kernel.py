@@ -1,4 +1,4 @@
-"""Bands that caps bring down, and stages from them, in plain loops that numba compiles."""
+"""Cells that caps bring down, and path limits from them, in plain loops that numba compiles."""
 
 from math import exp, floor, inf, log, sqrt
 from typing import NamedTuple
@@ -61,7 +61,7 @@ class LoweredBounds(NamedTuple):
 def lower_bounds(
     imposed: ImposedNumbers, grid: GridBounds, ticks: Array2, reach: Array2, out: LoweredBounds
 ) -> None:
-    """Bring the bounds of bands down to caps and on to the next step, and note what each was lowered for.
+    """Bring the bounds of cells down to caps and on to the next step, and note what each was lowered for.
 
     Args:
         imposed: the limits.
@@ -109,16 +109,16 @@ def stages_of(
     counts: Array1,
     result: Array1,
 ) -> None:
-    """Write the stages of bands: neighbours on one piece with the same bounds are one.
+    """Write the path limits of bands: neighbours on one path segment with the same bounds are one.
 
     Args:
-        borders: places between which the bands lie, shape (c + 1,).
+        borders: places between which the cells lie, shape (c + 1,).
         bounds: of speed, acceleration and jerk, shape (3, c).
-        owners: number of the piece that a band lies on, rising, shape (c,).
-        moves: number of the move of each piece, rising, shape (p,).
+        owners: number of the path segment that a cell lies on, rising, shape (c,).
+        moves: number of the move of each path segment, rising, shape (p,).
         look_ahead: how many moves beyond the present one are known.
         path_limits: where they go, see `plan_stages`, shape (c, 6).
-        counts: where the number of stages of each piece goes, shape (p,).
+        counts: where the number of path limits of each path segment goes, shape (p,).
         result: where the number of all goes, shape (1,).
     """
     count, last = 0, bounds.shape[1] - 1
@@ -145,7 +145,7 @@ def stages_of(
 
 
 def _least_share(planned: Array, bounds: Array) -> float:
-    """Return the least share of its planned rate that a band is left, in ]0, 1]."""
+    """Return the least share of its planned rate that a cell is left, in ]0, 1]."""
     least, last = inf, bounds.shape[1] - 1
     for kind in range(bounds.shape[0]):
         left, cell = inf, 0

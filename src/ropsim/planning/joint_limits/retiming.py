@@ -31,7 +31,7 @@ class Retiming:
     """A motion, and how it goes within all limits.
 
     Attributes:
-        motion: of the sequence by its course, before motion time goes slower.
+        motion: of the sequence by its timing, before nominal time goes slower.
         kept: how it goes; Beyond where no speed can do.
         slowed: where it is slower than it was planned.
     """
@@ -42,7 +42,7 @@ class Retiming:
 
     @property
     def timing(self) -> Timing:
-        """Return the course of the sequence."""
+        """Return the timing of the sequence."""
         return self.motion.timing
 
     @property
@@ -60,9 +60,9 @@ class Retiming:
 
 
 def retimed(timing: Timing, arm: ArmBounds, ticks: Ticks, rules: TimingRules) -> Retiming:
-    """Return the motion on the course of a sequence.
+    """Return the motion on the timing of a sequence.
 
-    Time laws with lower bounds lose least where joints lack little. Where they lack much, motion time that
+    Time laws with lower bounds lose least where joints lack little. Where they lack much, nominal time that
     goes slower there may do it in less; the quicker one counts.
 
     Args:

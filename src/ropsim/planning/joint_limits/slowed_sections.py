@@ -17,9 +17,9 @@ def slowed_in(planned: Timing, timing: Timing, bands: Mapping[int, LimitGrid]) -
     less steep is no standstill.
 
     Args:
-        planned: the course as its limits alone would have it.
+        planned: the timing as its limits alone would have it.
         timing: that joints can follow.
-        bands: of its runs by their numbers, with the causes.
+        bands: of its sections by their numbers, with the causes.
     """
     slowed: list[Slowed] = []
     for number, own in sorted(bands.items()):

@@ -1,4 +1,4 @@
-"""A step by which a run gets slower where joints cannot follow."""
+"""A step by which a section gets slower where joints cannot follow."""
 
 import numpy as np
 
@@ -32,12 +32,12 @@ class Aim:
 def slower_run(
     motion: Trajectory, reference: Reference, number: int, grid: LimitGrid, ticks: Array, aim: Aim
 ) -> tuple[LimitGrid, Section]:
-    """Return the bands of a run as caps at ticks bring them down, and its part with them.
+    """Return the cells of a section as caps at ticks bring them down, and its part with them.
 
     Args:
         motion: of the stretch.
         reference: of it, at the evaluated ticks.
-        number: of the run.
+        number: of the section.
         grid: of it.
         ticks: at which a limit is exceeded, none of them 0, shape (b,).
         aim: of the step.

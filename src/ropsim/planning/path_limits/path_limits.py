@@ -1,4 +1,4 @@
-"""Bounds of speed, acceleration and jerk along a piece of a sequence: one stage, or several on a bent one."""
+"""Bounds of speed, acceleration and jerk along a path segment: one path limit, or several on a bent one."""
 
 from collections.abc import Callable, Sequence
 from functools import lru_cache
@@ -25,7 +25,7 @@ _PLACES = np.linspace(0.0, 1.0, 33)
 _STRAIGHT = 1e-9
 """A path of the tool whose direction changes by less from end to end is straight."""
 _SAME_PLACE = 1e-9
-"""Share of a path below which two ends of stages are one."""
+"""Share of a path below which two ends of path limits are one."""
 
 
 def joint_path_limits(path: JointPath, limits: JointMotionLimits) -> PathLimits:

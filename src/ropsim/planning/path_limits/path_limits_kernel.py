@@ -1,4 +1,4 @@
-"""Stages along a bent path: the limits in its cells, in plain loops that numba compiles.
+"""Path limits along a bent path: the limits in its cells, in plain loops that numba compiles.
 
 NaN stays NaN: a path that turns back in a point has NaN bounds.
 """
@@ -14,7 +14,7 @@ from ropsim.spatial import Array
 MIXED = 0.5
 """Share of the jerk that a bend leaves along the path that is given up for changes of speed in the bend."""
 ALIKE = (1.1, 2.0, 2.0)
-"""Factors by which speed, acceleration and jerk of cells differ at most that are made one stage."""
+"""Factors by which speed, acceleration and jerk of cells differ at most that are made one path limit."""
 
 
 @kernel
@@ -28,7 +28,7 @@ def bent_stages(
     out: Array2,
     result: Array1,
 ) -> None:
-    """Write the stages along a bent path of k cells.
+    """Write the path limits along a bent path of k cells.
 
     With the derivatives d1, d2, d3 of the path by its length s: acceleration d2·v² + d1·a, jerk d3·v³ +
     3·d2·v·a + d1·j. Components along d1 add up; components across it are perpendicular to them.
@@ -41,7 +41,7 @@ def bent_stages(
         speeds: room to work in, shape (k,).
         cells: room to work in, shape (k, 3).
         out: where length, speed, acceleration and jerk go, and the greatest of the last three in any cell of
-            the stage, shape (k, 7).
+            the path limit, shape (k, 7).
         result: output for their number, shape (1,).
     """
     bend_speeds(bounds, limits, speeds)
@@ -58,7 +58,7 @@ def bent_stages(
 def straight_stage(
     length: float, d1: Array1, speed: Array1, acceleration: Array1, jerk: Array1, out: Array2
 ) -> None:
-    """Write the stage of a straight path of p parts.
+    """Write the path limit of a straight path of p parts.
 
     Args:
         length: of the path.

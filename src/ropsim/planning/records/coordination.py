@@ -100,14 +100,14 @@ def coordination_along(
 def coordination_round(
     length: float, before: Coordination, leaves: float, behind: Coordination, enters: float
 ) -> Coordination:
-    """Return the external axes on the way round a corner, smoothly from one side to the other.
+    """Return the external axes on the way round a blend, smoothly from one side to the other.
 
     Args:
-        length: of the way round the corner [m].
-        before: along the path before, seen from the frame of the corner.
-        leaves: its place at which the corner begins [m].
+        length: of the way round the blend [m].
+        before: along the path before, seen from the frame of the blend.
+        leaves: its place at which the blend begins [m].
         behind: along the path behind, seen from the same frame.
-        enters: its place at which the corner ends [m].
+        enters: its place at which the blend ends [m].
     """
     first, last = (one.axes.joints(np.array([s])) for one, s in ((before, leaves), (behind, enters)))
     least = (

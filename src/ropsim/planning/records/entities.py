@@ -103,7 +103,7 @@ class PathCorrector(Protocol):
     def correct(self, measured: Sample, tracking: PathTracking, X_BT: Pose, correction: float) -> float:
         """Return the speed at which the shift along the direction of the tool is to change [m/s].
 
-        It counts in motion time. The controller takes it up as its limits and the joints allow.
+        It counts in nominal time. The controller takes it up as its limits and the joints allow.
 
         Args:
             measured: reading of the sensor at the beginning of the step.

@@ -33,7 +33,7 @@ class MotionState:
 
 @record
 class TimedSegment:
-    """A part of a plan: of the path of a move, or the way round a corner.
+    """A part of a plan: of the path of a move, or the way round a blend.
 
     Attributes:
         path: of the tool, in the base frame or that which is moved; None for one in joint space.
@@ -58,7 +58,7 @@ class TimedMove:
         move: the instruction.
         X_MT: the tool that is meant.
         q_end: command joint coordinates at its target [rad | m], shape (n,).
-        last: control tick of the plan at which it ends: the middle of its corner, or the end of the plan.
+        last: control tick of the plan at which it ends: the middle of its blend, or the end of the plan.
         zone: distance from its target at which the path goes on to the next move [m]; 0 where it stops.
         triggers: outputs that are set on its way, in order of time.
         limits: its limits; None without motion.
@@ -86,7 +86,7 @@ class MotionPlan:
         reference: for the control ticks 1, 2, … of the plan.
         period: time of a control tick [s].
         findings: warnings and hints.
-        blends: its corners, each with the last control tick before it begins, and the last one in it.
+        blends: its blends, each with the last control tick before it begins, and the last one in it.
     """
 
     moves: tuple[TimedMove, ...]

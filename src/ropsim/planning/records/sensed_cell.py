@@ -18,7 +18,7 @@ class ArmState:
         q: attained joint coordinates [rad | m], shape (n,).
         qd: attained joint speeds [rad/s | m/s], shape (n,).
         effort: torques of the drives at the joints, from the currents of the motors [N·m | N], shape (n,); 0
-            in a run without dynamics.
+            in a section without dynamics.
         X_WT: pose of the tool in force in the world.
     """
 

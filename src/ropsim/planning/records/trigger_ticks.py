@@ -12,7 +12,7 @@ from ropsim.planning.records.wording import passes
 from ropsim.spatial import Array, Pose, record
 
 _SLACK = 1e-9
-"""Rounding of a way that is added up [m], and of a time in ticks."""
+"""Rounding of a path that is added up [m], and of a time in ticks."""
 
 
 @record

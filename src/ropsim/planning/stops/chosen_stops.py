@@ -19,14 +19,14 @@ Blends = Sequence[Blend | None]
 
 @record
 class ByTool:
-    """The quickest corners by the limits of the tool.
+    """The quickest blends by the limits of the tool.
 
     Attributes:
         stops: numbers of points that became stops.
         corners: that are left.
         timing: of the sequence with them.
         alone: times that the moves take from rest to rest, at least [s].
-        times: of moves from rest to rest with the corners between them.
+        times: of moves from rest to rest with the blends between them.
     """
 
     stops: tuple[int, ...]
@@ -38,7 +38,7 @@ class ByTool:
 
 @record
 class ByJoints:
-    """The quickest corners by the limits of tool and joints.
+    """The quickest blends by the limits of tool and joints.
 
     Attributes:
         stops: numbers of points that became stops for the joints.
@@ -54,7 +54,7 @@ class ByJoints:
 def by_tool(
     moves: Sequence[PlannedMove], blends: Blends, walks: Sequence[Walk], rules: TimingRules
 ) -> ByTool:
-    """Return which corners are quicker than stops by the limits of the tool.
+    """Return which blends are quicker than stops by the limits of the tool.
 
     Args:
         moves: the moves.
@@ -75,14 +75,14 @@ def by_tool(
 def by_joints(
     moves: Sequence[PlannedMove], chosen: ByTool, arm: ArmBounds, ticks: Ticks, rules: TimingRules
 ) -> ByJoints:
-    """Return which of the corners that are left are quicker than stops within the limits of the joints.
+    """Return which of the blends that are left are quicker than stops within the limits of the joints.
 
     Retiming a whole sequence can be slightly slower than retiming its parts. So stops at all points are also
     tried if they might be quicker.
 
     Args:
         moves: the moves.
-        chosen: corners that the limits of the tool leave.
+        chosen: blends that the limits of the tool leave.
         arm: limits of the joints.
         ticks: of control.
         rules: time law and look-ahead.

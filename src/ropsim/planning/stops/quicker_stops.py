@@ -1,4 +1,4 @@
-"""Corners at which the arm is quicker when it stops: zones are left there, so that no zone costs time."""
+"""Blends at which the arm is quicker when it stops: zones are left there, so that no zone costs time."""
 
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
@@ -18,7 +18,7 @@ Span = tuple[int, int]
 
 @record
 class Times:
-    """Times of moves from rest to rest, with all corners between them rounded.
+    """Times of moves from rest to rest, with all blends between them rounded.
 
     Attributes:
         least: of some moves, no more than the time they take [s].
@@ -32,12 +32,12 @@ class Times:
 def quicker_stops(
     blends: Sequence[Blend | None], ends: Sequence[float], alone: Sequence[float], times: Times
 ) -> tuple[int, ...]:
-    """Return the numbers of the rounded corners at which to stop, so that the motion takes the least time.
+    """Return the numbers of the rounded blends at which to stop, so that the motion takes the least time.
 
-    A move that flows takes no longer from the middle of its first corner to that of its last one than it
+    A move that flows takes no longer from the middle of its first blend to that of its last one than it
     would from rest to rest; while all do, the whole takes less time than with a stop at each point. Where one
     takes longer, the adjacent blends are examined, and if the whole between two stops takes longer, all its
-    corners. Stops at some of them are the way with the least sum of times: a shortest way, of which an edge
+    blends. Stops at some of them are the way with the least sum of times: a shortest way, of which an edge
     is planned only where nothing shorter is known to be left.
 
     Args:
@@ -67,7 +67,7 @@ def quicker_stops(
 
 
 def _runs(blends: Sequence[Blend | None]) -> Iterator[Span]:
-    """Yield the moves between each two stops that pass a corner."""
+    """Yield the moves between each two stops that pass a blend."""
     stops = [0, *(number + 1 for number, blend in enumerate(blends) if blend is None), len(blends) + 1]
     yield from ((first, last) for first, last in pairwise(stops) if last - first > 1)
 
@@ -112,7 +112,7 @@ def _way(nodes: Sequence[int], known: dict[Span, float], times: Times) -> list[S
 
 
 def without(blends: Sequence[Blend | None], stops: Sequence[int]) -> list[Blend | None]:
-    """Return corners with stops at some of them.
+    """Return blends with stops at some of them.
 
     Args:
         blends: between each two moves.

@@ -22,7 +22,7 @@ def times_alone(
 
     Args:
         moves: the moves.
-        parts: of the moves with corners between them.
+        parts: of the moves with blends between them.
         rules: time law and look-ahead.
     """
     found: dict[int, float] = {}

@@ -35,8 +35,9 @@ class Section:
 
     Attributes:
         path_segments: in order.
-        path_limits: with which they are planned, of all pieces in a row; none where the path is one of time.
-        counts: how many stages each piece has, shape (p,).
+        path_limits: with which they are planned, of all path segments in a row; none where the path is one of
+            time.
+        counts: how many path limits each path segment has, shape (p,).
         law: time law along them; it counts segments, regardless of the path limits of each.
         over: how it goes over into the next one; None where it stops.
     """
@@ -49,7 +50,7 @@ class Section:
 
     @property
     def has_path_limits(self) -> bool:
-        """Return whether its time law is planned with stages; else its path is one of time."""
+        """Return whether its time law is planned with path limits; else its path is one of time."""
         return len(self.path_limits) > 0
 
     @property
@@ -59,7 +60,7 @@ class Section:
 
     @property
     def borders(self) -> Array:
-        """Return the places at which pieces begin, from the start on, and the end of the last, (p + 1,)."""
+        """Return the places at which path segments begin, and the end of the last one, shape (p + 1,)."""
         ends = np.append(0.0, self.path_limits.ends)
         return np.asarray(ends[np.append(0, np.cumsum(self.counts))])
 
@@ -99,12 +100,12 @@ def planned_section(
     over: JointSpaceBlend | None,
     rules: TimingRules,
 ) -> Section:
-    """Return pieces with the time law of stages that count for them instead of their own.
+    """Return path segments with the time law of path limits that count for them instead of their own.
 
     Args:
         path_segments: that are traversed together from rest to rest.
-        path_limits: of all pieces in a row.
-        counts: how many of them each piece has, one or more, shape (p,).
+        path_limits: of all path segments in a row.
+        counts: how many of them each path segment has, one or more, shape (p,).
         over: how they go over into the next ones; None where they stop.
         rules: time law and look-ahead.
     """

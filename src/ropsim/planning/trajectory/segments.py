@@ -1,4 +1,4 @@
-"""Pieces of a sequence: parts of the paths of moves, and the ways round corners between them."""
+"""Path segments of a sequence: parts of the paths of moves, and the ways round blends between them."""
 
 from collections.abc import Sequence
 
@@ -26,23 +26,23 @@ from ropsim.spatial import Pose, record
 _SHARES = (1.0, 0.9, 0.81, 0.729, 0.656, 0.59, 0.531, 0.478)
 """Of the highest speed that a bend allows: shares that are tried on the path of a move."""
 _NOTHING = 1e-9
-"""Share of a path below which nothing is left of it between two corners."""
+"""Share of a path below which nothing is left of it between two blends."""
 _NO_STAGES = PathLimits.of(())
 
 
 @record
 class PathSegment:
-    """A part of the course.
+    """A part of the timing.
 
     Attributes:
-        move_number: number of the move that it belongs to; a corner belongs to the move before it.
+        move_number: number of the move that it belongs to; a blend belongs to the move before it.
         joints: its path in joint space.
         tool: its path of the tool, in the base frame or that of the coordination; None without one.
         X_MT: the tool.
         path_limits: bounds along it, part by part; none where it has a time law of its own.
         blend: that it leads round; None for a part of the path of a move.
         coordination: external axes that go along with the path of the tool; None where they stand.
-        begin: place at which it begins on the path of its move, in the unit of that; 0 for a corner.
+        begin: place at which it begins on the path of its move, in the unit of that; 0 for a blend.
         gentler: other bounds along it, with less speed and more acceleration in its bends.
     """
 
@@ -69,7 +69,7 @@ Walk = tuple[list[PathSegment], JointSpaceBlend | None]
 
 
 def segments_of(moves: Sequence[PlannedMove], blends: Sequence[Blend | None]) -> list[Walk]:
-    """Return the pieces of a sequence in order.
+    """Return the path segments of a sequence in order.
 
     Args:
         moves: the moves.

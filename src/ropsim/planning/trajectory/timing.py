@@ -1,4 +1,4 @@
-"""The course of a sequence: runs of its parts, one behind or over the other."""
+"""The timing of a sequence: sections of its parts, one behind or over the other."""
 
 from collections.abc import Sequence
 from itertools import accumulate
@@ -14,7 +14,7 @@ from ropsim.planning.trajectory.timing_kernel import lay_runs
 from ropsim.spatial import Array, record
 
 _STOP = nan, 0.0
-"""Stands for no overlap of a run and the next one."""
+"""Stands for no overlap of a section and the next one."""
 
 
 @record
@@ -23,9 +23,9 @@ class TimedSection:
 
     Attributes:
         part: segments traversed together.
-        start: motion time at which it begins [s].
-        overlap: for how long the run before still lasts then [s].
-        end: motion time at which it ends [s].
+        start: nominal time at which it begins [s].
+        overlap: for how long the section before still lasts then [s].
+        end: nominal time at which it ends [s].
     """
 
     part: Section
@@ -35,12 +35,12 @@ class TimedSection:
 
     @property
     def path_segments(self) -> tuple[PathSegment, ...]:
-        """Return its pieces in order."""
+        """Return its path segments in order."""
         return self.part.path_segments
 
     @property
     def law(self) -> TimeLaw:
-        """Return when it is where on its pieces."""
+        """Return when it is where on its path segments."""
         return self.part.law
 
 
@@ -49,15 +49,15 @@ _run = maker(TimedSection)
 
 @record
 class Timing:
-    """All runs of a sequence.
+    """All sections of a sequence.
 
     Attributes:
         sections: in order; none where nothing moves.
-        ends: motion times at which the moves end [s]: in the middle of their corners, or where they stop.
-        table: the runs as numbers: start, end and duration [s], first segment, segments, first piece, and
-            overlap [s] of each, shape (r, 7).
+        ends: nominal times at which the moves end [s]: in the middle of their blends, or where they stop.
+        table: the runs as numbers: start, end and duration [s], first segment, segments, first path segment,
+            and overlap [s] of each, shape (r, 7).
         segments: of all time laws, see `TimeLaw`, shape (8, m).
-        path_segment_ends: times of these laws at which their pieces end [s], shape (p,).
+        path_segment_ends: times of these laws at which their path segments end [s], shape (p,).
     """
 
     sections: tuple[TimedSection, ...]
@@ -68,21 +68,21 @@ class Timing:
 
     @property
     def duration(self) -> float:
-        """Return the motion time from start to end [s]."""
+        """Return the nominal time from start to end [s]."""
         return self.sections[-1].end if self.sections else 0.0
 
     def alone(self, number: int) -> tuple[float, float]:
         """Return the nominal times between which no other section overlaps one [s].
 
         Args:
-            number: of the run.
+            number: of the section.
         """
         section, behind = self.sections[number], self.sections[number + 1 : number + 2]
         return section.start + section.overlap, section.end - (behind[0].overlap if behind else 0.0)
 
 
 def timing_of(parts: Sequence[Section], moves: int) -> Timing:
-    """Return the course through the parts of a sequence.
+    """Return the timing through the parts of a sequence.
 
     Args:
         parts: of it.
@@ -105,11 +105,11 @@ def timing_of(parts: Sequence[Section], moves: int) -> Timing:
 
 
 def _ends(sections: Sequence[TimedSection], moves: int) -> list[float]:
-    """Return the motion times at which moves end [s], see `Timing`."""
+    """Return the nominal times at which moves end [s], see `Timing`."""
     ends = [0.0] * moves
     for section, overlap in zip(sections, (*[section.overlap for section in sections[1:]], 0.0), strict=True):
         path_segments = section.part.path_segments
-        if len(path_segments) > 1:  # a corner lies between two others
+        if len(path_segments) > 1:  # a blend lies between two others
             blends = [number for number, path_segment in enumerate(path_segments) if path_segment.blend]
             halves = [path_segments[number].joints.length / 2.0 for number in blends]
             for number, middle in zip(blends, section.law.times_of(blends, halves).tolist(), strict=True):

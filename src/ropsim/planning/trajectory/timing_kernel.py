@@ -16,20 +16,20 @@ from ropsim.planning.trajectory.trajectory_kernel import (
 from ropsim.spatial import Array
 
 RATIO, HORIZON = 4, 5
-"""Columns of the bounds of stages."""
+"""Columns of the bounds of path limits."""
 
 
 @kernel
 def lay_horizons(moves: Array1, counts: Array1, look_ahead: int, bounds: Array2) -> None:
-    """Write the last stage that is known where a stage ends, of all stages; -1 if unknown.
+    """Write the last path limit that is known where a path limit ends, of all path limits; -1 if unknown.
 
-    Within a piece no more gets known: who can stop after it can stop before.
+    Within a path segment no more gets known: who can stop after it can stop before.
 
     Args:
-        moves: number of the move of each piece, rising, shape (p,).
-        counts: how many stages each piece has, one or more, shape (p,).
+        moves: number of the move of each path segment, rising, shape (p,).
+        counts: how many path limits each path segment has, one or more, shape (p,).
         look_ahead: how many moves beyond the present one are known.
-        bounds: of the stages, see `plan_stages`; ratio and horizon are written, shape (s, 6).
+        bounds: of the path limits, see `plan_stages`; ratio and horizon are written, shape (s, 6).
     """
     for k in range(bounds.shape[0]):
         bounds[k, RATIO], bounds[k, HORIZON] = 1.0, -1.0
@@ -48,13 +48,13 @@ _SEGMENTS, _PIECES, _LEAVE, _ENTER = range(4)
 
 @kernel
 def lay_runs(segments: Array2, ends: Array1, requested: Array2, sections: Array2, times: Array2) -> None:
-    """Write when runs begin and end, and for how long the run before each still lasts when it begins [s].
+    """Write when runs begin and end, and for how long the section before each still lasts when it begins [s].
 
     Both motions are added no longer than the shorter one of their sections next to the blend.
 
     Args:
-        segments: of the time laws of all runs, shape (8, m).
-        ends: times of each law at which its pieces end [s], shape (p,).
+        segments: of the time laws of all sections, shape (8, m).
+        ends: times of each law at which its path segments end [s], shape (p,).
         requested: of each section: numbers of law segments and path segments; the path parameter on its last
             one from which on the next section may begin, NaN if it stops; and the path parameter on the first
             one of that up to which it may last; shape (r, 4).
@@ -89,7 +89,7 @@ def lay_runs(segments: Array2, ends: Array1, requested: Array2, sections: Array2
 def _time(
     segments: Array, ends: Array, section: Array, path_segment: int, place: float, result: Array
 ) -> float:
-    """Return the time of its law at which a run is at a place of one of its pieces [s]; see `time_at`."""
+    """Return the time at which a section is at a place of one of its path segments [s]; see `time_at`."""
     own = segments[:, int(section[SEGMENT]) : int(section[SEGMENT] + section[SEGMENTS])]
     time_at(own, ends[int(section[FIRST_PIECE]) :], path_segment, place, result)
     return float(result[0])
@@ -111,11 +111,12 @@ def ticks_come(
     Args:
         sections: see `Course.table`, shape (r, 7).
         piece_ends: see `Course.path_segment_ends`, shape (p,).
-        move_ends: motion times at which moves end [s], shape (m,).
-        phi: motion times at the control ticks 1, 2, … [s], shape (ticks,).
-        slack: by which motion times may be off [s].
-        path_segments: where the last tick before each piece goes, and the last one on it, shape (p, 2).
-        overlaps: the same for the overlap of each run with the one before, shape (r, 2).
+        move_ends: nominal times at which moves end [s], shape (m,).
+        phi: nominal times at the control ticks 1, 2, … [s], shape (ticks,).
+        slack: by which nominal times may be off [s].
+        path_segments: where the last tick before each path segment goes, and the last one on it, shape (p,
+            2).
+        overlaps: the same for the overlap of each section with the one before, shape (r, 2).
         moves: where the first tick goes, 0 for the start, at which each move has ended, shape (m,).
     """
     count, ticks = sections.shape[0], phi.shape[0]
@@ -139,7 +140,7 @@ def ticks_come(
 
 
 def _come(phi: Array, time: float) -> int:
-    """Return the number of motion times that are no later than a time."""
+    """Return the number of nominal times that are no later than a time."""
     low, high = 0, phi.shape[0]
     while low < high:
         middle = (low + high) // 2
@@ -151,7 +152,7 @@ def _come(phi: Array, time: float) -> int:
 
 
 def _before(phi: Array, time: float) -> int:
-    """Return the number of motion times before a time."""
+    """Return the number of nominal times before a time."""
     low, high = 0, phi.shape[0]
     while low < high:
         middle = (low + high) // 2

@@ -20,7 +20,7 @@ from ropsim.spatial import Array, frozen, record
 
 @record
 class Trajectory:
-    """Joint coordinates over motion time.
+    """Joint coordinates over nominal time.
 
     While a run still ends and the next one has begun, the joint coordinates of both are combined: q =
     q_before + q_behind - q_corner.
@@ -37,7 +37,7 @@ class Trajectory:
 
     @classmethod
     def on(cls, timing: Timing) -> "Trajectory":
-        """Return the motion on a course."""
+        """Return the motion on a timing."""
         table = trajectory_table(timing)
         corners = (
             _corners(timing, table) if table else frozen([_end(section) for section in timing.sections[:-1]])
@@ -45,19 +45,19 @@ class Trajectory:
         return cls(timing, corners, table)
 
     def timed(self, timing: Timing) -> "Trajectory":
-        """Return the motion on a course that has the same pieces and other times."""
+        """Return the motion on a timing that has the same path segments and other times."""
         return Trajectory(timing, self.corners, self.table.timed(timing) if self.table else None)
 
     @property
     def duration(self) -> float:
-        """Return the motion time from start to end [s]."""
+        """Return the nominal time from start to end [s]."""
         return self.timing.duration
 
     def at(self, phi: Array) -> JointPoints:
         """Return coordinates and their first two derivatives by time.
 
         Args:
-            phi: motion times in rising order [s], shape (k,).
+            phi: nominal times in rising order [s], shape (k,).
         """
         sections = self.timing.sections
         if table := self.table:
@@ -105,7 +105,7 @@ class Trajectory:
         """Return the motion along paths of the tool; undefined where sections overlap.
 
         Args:
-            phi: motion times in rising order [s], shape (k,).
+            phi: nominal times in rising order [s], shape (k,).
         """
         sections = self.timing.sections
         r = int(any(section.part.leads_tool for section in sections))
@@ -147,7 +147,7 @@ def _walk(section: TimedSection, times: Array, row: int, shared: int, corner: Ar
     """Write coordinates and derivatives by time at times since the start of a run, shape (k,).
 
     Args:
-        section: of the course.
+        section: of the timing.
         times: [s], rising, shape (k,).
         row: of the motion, for the first of them.
         shared: row up to which the run before still ends.

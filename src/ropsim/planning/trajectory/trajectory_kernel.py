@@ -19,7 +19,7 @@ from ropsim.spatial import Array
 START, END, DURATION, SEGMENT, SEGMENTS, FIRST_PIECE, OVERLAP = range(7)
 """Columns of runs."""
 KIND, BEGIN, LENGTH, FIRST_ROW, ROWS, FIRST_SLOPE = range(6)
-"""Columns of pieces."""
+"""Columns of path segments."""
 PIECE, PLACE, SPEED, ACCELERATION, TIME = range(5)
 """Rows of what time laws tell."""
 AT_ONCE = 512
@@ -102,12 +102,12 @@ def points_on(
     """Write the joints and their derivatives by time where a time law of a run is.
 
     Args:
-        first: piece with which the run begins.
+        first: path segment with which the run begins.
         path_segments: of all runs, as for `evaluate_trajectory`, and so are rows and slopes.
         rows: see there.
         slopes: see there.
-        law: numbers of the pieces of the run, rising, places on these, which become those on their paths,
-            speeds and accelerations, shape (4, k).
+        law: numbers of the path segments of the run, rising, places on these, which become those on their
+            paths, speeds and accelerations, shape (4, k).
         work: to work in, shape (COEFFICIENTS, n).
         points: where all goes, shape (3, k, n).
     """
@@ -181,7 +181,7 @@ def _add(
 
 
 def _behind(phi: Array, time: float) -> int:
-    """Return the number of motion times before a time."""
+    """Return the number of nominal times before a time."""
     low, high = 0, phi.shape[0]
     while low < high:
         middle = (low + high) // 2

@@ -27,7 +27,7 @@ class TrajectoryTable:
     slopes: Array
 
     def timed(self, timing: Timing) -> "TrajectoryTable":
-        """Return the table of a course with the same pieces and other times."""
+        """Return the table of a timing with the same path segments and other times."""
         return TrajectoryTable(timing.table, timing.segments, self.path_segments, self.rows, self.slopes)
 
 
@@ -35,7 +35,7 @@ def trajectory_table(timing: Timing) -> TrajectoryTable | None:
     """Return the table of the sections of a timing; None if compiled loops do not support a path.
 
     Args:
-        timing: of one run or more.
+        timing: of one section or more.
     """
     numbers, rows, slopes, row, slope = list[float](), list[Array](), list[Array](), 0, 0
     for section in timing.sections:

@@ -19,7 +19,7 @@ from ropsim.spatial import Array, Pose, cross, record
 _COARSE = (16, 64, 256)
 """Number of steps in each quarter of a path, taken one after the other; more if a solution is not found."""
 _MOST = 4096
-"""Steps of four parts of a way at most."""
+"""Steps of four parts of a path at most."""
 _NEWTON = 20  # steps at most; from a near start each doubles the digits
 _SAME_PLACE = 1e-10  # [m]
 SAME_JOINTS = 1e-6
@@ -86,7 +86,7 @@ def wrist_joints(way: WristMotion, q: Array) -> JointPath:
 
 
 def _densely(arm: "_Arm", way: WristMotion, q: Array, ends: tuple[float, float], most: int) -> WristLead:
-    """Return the joints between two places of a way, as dense as their smooth path needs.
+    """Return the joints between two places of a path, as dense as their smooth path needs.
 
     Args:
         arm: that leads.
