@@ -22,24 +22,24 @@ _move, _piece = maker(TimedMove), maker(TimedSegment)
 
 
 def standing(
-    legs: Sequence[PlannedMove], q_start: Array, period: float, findings: Sequence[Diagnostic]
+    planned_moves: Sequence[PlannedMove], q_start: Array, period: float, findings: Sequence[Diagnostic]
 ) -> MotionPlan:
     """Return the plan of moves that all end where they begin.
 
     Args:
-        legs: the moves.
+        planned_moves: the moves.
         q_start: command joint coordinates [rad | m], shape (n,).
         period: time of a control tick [s].
         findings: on the moves.
     """
-    moves = tuple(TimedMove(move.move, move.planned.X_MT, move.q_end, 0, 0.0) for move in legs)
+    moves = tuple(TimedMove(move.move, move.planned.X_MT, move.q_end, 0, 0.0) for move in planned_moves)
     nothing = JointReference(*(np.empty((0, len(q_start))) for _ in range(3)))
     return MotionPlan(moves, (), q_start, nothing, period, tuple(findings))
 
 
 def in_ticks(
     chain: MotionChain,
-    legs: Sequence[PlannedMove],
+    planned_moves: Sequence[PlannedMove],
     zones: Sequence[float],
     timing: Timing,
     kept: RetimedTrajectory,
@@ -49,21 +49,24 @@ def in_ticks(
 
     Args:
         chain: the entities, with the control period.
-        legs: the moves.
+        planned_moves: the moves.
         zones: that are flown at their ends [m].
         timing: of the sequence.
         kept: its motion within the limits of the joints, at all ticks of whole interpolation ticks.
         findings: on the moves.
     """
     period, phi = chain.controller.rates.control_period, kept.phi[1:]
-    reference = _to_rest(kept.rows, legs[-1].q_end, Ticks(period).count(kept.clock.duration))
-    at, ends = np.empty((len(timing.path_segment_ends) + len(timing.sections), 2)), np.empty(len(legs) - 1)
+    reference = _to_rest(kept.rows, planned_moves[-1].q_end, Ticks(period).count(kept.clock.duration))
+    at, ends = (
+        np.empty((len(timing.path_segment_ends) + len(timing.sections), 2)),
+        np.empty(len(planned_moves) - 1),
+    )
     times = timing.table, timing.path_segment_ends, np.array(timing.ends[:-1]), phi, _SLACK * period
     ticks_come(*times, at[: len(timing.path_segment_ends)], at[len(timing.path_segment_ends) :], ends)
     lasts = [0, *map(int, ends.tolist()), reference.ticks]
     moves, found = [], list(findings)
-    for leg, zone, (first, last) in zip(legs, zones, pairwise(lasts), strict=True):
-        planned, move = leg.planned, leg.move
+    for planned_move, zone, (first, last) in zip(planned_moves, zones, pairwise(lasts), strict=True):
+        planned, move = planned_move.planned, planned_move.move
         X_MT = planned.X_MT
         triggers: tuple[PlannedTrigger, ...] = ()
         if move.triggers:
@@ -73,7 +76,7 @@ def in_ticks(
             triggers, result = trigger_ticks(move, achieved, first, period)
             found += result
         of_tool = planned.tool is not None
-        moves.append(_move(move, X_MT, leg.q_end, last, zone, triggers, planned.limits, of_tool))
+        moves.append(_move(move, X_MT, planned_move.q_end, last, zone, triggers, planned.limits, of_tool))
     path_segments, blends = _pieces(timing, at.astype(np.int64).tolist())
     return MotionPlan(tuple(moves), path_segments, kept.rows.q[0], reference, period, tuple(found), blends)
 

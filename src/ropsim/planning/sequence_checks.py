@@ -65,10 +65,10 @@ PLANNED_SPEED, PLANNED_ACCELERATION = 0.8, 0.7
 """Shares of speed and acceleration of the joints for the move itself; the rest is for the correction."""
 
 
-def correction_refusal(leg: PlannedMove) -> Refusal | None:
+def correction_refusal(planned_move: PlannedMove) -> Refusal | None:
     """Return M587 for a move that a sensor is to correct and cannot."""
-    move, planned = leg.move, leg.planned
-    if move.tracking is None or leg.joints is None:
+    move, planned = planned_move.move, planned_move.planned
+    if move.tracking is None or planned_move.joints is None:
         return None
     if planned.tool is None:
         why = "it has no path of the tool"

@@ -31,17 +31,17 @@ def sequence_moves(
         q_start: command joint coordinates at their start [rad | m], shape (n,).
     """
     moves, count = (*sequence, *ahead), len(sequence)
-    legs, refusal = _chosen(chain, moves, q_start)
+    planned, refusal = _chosen(chain, moves, q_start)
     if refusal:
-        legs = _told(chain, moves, q_start, legs, refusal)
-    return legs[:count], refusal if len(legs) < count else None
+        planned = _told(chain, moves, q_start, planned, refusal)
+    return planned[:count], refusal if len(planned) < count else None
 
 
 def _told(
     chain: MotionChain,
     moves: Sequence[MoveInstruction],
     q_start: Array,
-    legs: list[PlannedMove],
+    planned: list[PlannedMove],
     refusal: Refusal,
 ) -> list[PlannedMove]:
     """Return planned moves with a finding on the move whose requested posture makes a later one infeasible.
@@ -50,22 +50,22 @@ def _told(
         chain: the entities.
         moves: in order.
         q_start: command joint coordinates at their start [rad | m], shape (n,).
-        legs: planned moves before the refused one.
+        planned: planned moves before the refused one.
         refusal: of that.
     """
-    refused = len(legs)
+    refused = len(planned)
     requested = last_request(moves[:refused])
     conflicts = conflict_of_refusal(moves[refused], refusal, refused)
     if requested is None or not conflicts:
-        return legs
+        return planned
     free, _ = _chosen(chain, without_request(moves[: refused + 1], requested), q_start)
     if len(free) <= refused:
-        return legs
-    said = in_the_way(chain.robot, legs[requested], free[requested], conflicts[0])
+        return planned
+    said = in_the_way(chain.robot, planned[requested], free[requested], conflicts[0])
     return [
-        *legs[:requested],
-        replace(legs[requested], findings=legs[requested].findings + said),
-        *legs[requested + 1 :],
+        *planned[:requested],
+        replace(planned[requested], findings=planned[requested].findings + said),
+        *planned[requested + 1 :],
     ]
 
 
@@ -77,7 +77,7 @@ def _chosen(
     if not conflicts:
         return moves, refusal
     best = search(chain, sequence, q_start, conflicts)
-    return (moves, refusal) if best.changes == 0 else (list(best.legs), best.refusal)
+    return (moves, refusal) if best.changes == 0 else (list(best.moves), best.refusal)
 
 
 def _conflicts(

@@ -103,12 +103,12 @@ def _slowed(
         ticks: of control.
     """
     period = ticks.period
-    courses = Attempts(requested, planned, places, period)
+    attempts = Attempts(requested, planned, places, period)
     if requested.ways.speeds.shape[1] == 0:  # sudden changes on tool paths are seen only at ticks
-        courses.keep_at_places(2.0 * _MORE)
+        attempts.keep_at_places(2.0 * _MORE)
     best, attempt = (math.inf, unslowed(motion.duration)), 0
     while True:
-        clock, (slowest, x) = courses.clock, courses.slowest
+        clock, (slowest, x) = attempts.clock, attempts.slowest
         if x < LEAST_RATE**2 or clock.duration - motion.duration > LONGEST_DELAY:
             return too_slow(
                 requested, places, binding_constraint(requested, places, period, slowest, slowest + 1)
@@ -119,12 +119,12 @@ def _slowed(
             if planned is requested or keeps_torque(walk.rows, requested.bounds, requested.effort):
                 return RetimedTrajectory(clock, _parts(clock, planned, period), walk.timing[0], walk.rows)
             planned = requested
-            courses.plan_with(planned)
+            attempts.plan_with(planned)
             continue
         best = min(best, (clock.duration * found.factor, clock), key=lambda pair: pair[0])
         if attempt == _ATTEMPTS:
             return _slower(motion, best[1], requested, places, ticks)
-        courses.give_up(found.lacks)
+        attempts.give_up(found.lacks)
         attempt += 1
 
 

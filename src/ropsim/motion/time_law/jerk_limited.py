@@ -57,15 +57,15 @@ def jerk_limited(bounds: Array, counts: Array) -> PiecewiseLaw:
         ProfileError: M540, as there.
     """
     ends = np.empty(len(counts))
-    ways, courses, rows, stage_ends, result = _rooms(len(bounds))
-    plan_longer(bounds, counts, ways, courses, rows, stage_ends, ends, result)
+    ways, rises, rows, stage_ends, result = _rooms(len(bounds))
+    plan_longer(bounds, counts, ways, rises, rows, stage_ends, ends, result)
     return PiecewiseLaw(rows[:, : _count(result, bounds)].copy(), ends)
 
 
 def _planned(bounds: Array) -> PiecewiseLaw:
     """Return the time law of path segments, rows as for `plan_segments`, shape (p, 6)."""
-    ways, courses, rows, ends, result = _rooms(len(bounds))
-    time_law_kernel.plan_segments(bounds, ways, courses, rows, ends, result)
+    ways, rises, rows, ends, result = _rooms(len(bounds))
+    time_law_kernel.plan_segments(bounds, ways, rises, rows, ends, result)
     return PiecewiseLaw(rows[:, : _count(result, bounds)].copy(), ends)
 
 
@@ -73,8 +73,8 @@ def _rooms(p: int) -> tuple[Array, Array, Array, Array, Array]:
     """Return the work arrays and outputs of p path segments for `plan_segments`."""
     if p == 0:
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, "a way has no pieces, allowed is one or more"))
-    ways, courses = np.empty((3, 12, p + 1)), np.empty((3, 8, _SEGMENTS * p))
-    return ways, courses, np.empty((8, 2 * _SEGMENTS * p)), np.empty(p), np.empty(2)
+    ways, rises = np.empty((3, 12, p + 1)), np.empty((3, 8, _SEGMENTS * p))
+    return ways, rises, np.empty((8, 2 * _SEGMENTS * p)), np.empty(p), np.empty(2)
 
 
 def _count(result: Array, bounds: Array) -> int:

@@ -10,7 +10,7 @@ def plan_longer(
     bounds: Array2,
     counts: Array1,
     ways: Array3,
-    courses: Array3,
+    rises: Array3,
     rows: Array2,
     ends: Array1,
     longer_ends: Array1,
@@ -23,13 +23,13 @@ def plan_longer(
             6).
         counts: how many path limits are one path segment, in order, shape (c,); their sum is s.
         ways: see there.
-        courses: see there.
+        rises: see there.
         rows: see there; they count path segments.
         ends: see there, of the path limits, shape (s,).
         longer_ends: where the times [s] go at which the path segments end, shape (c,).
         result: see there.
     """
-    plan_segments(bounds, ways, courses, rows, ends, result)
+    plan_segments(bounds, ways, rises, rows, ends, result)
     if result[0] >= 0.0:
         _over_longer(rows, int(result[0]), ends, counts, longer_ends)
 

@@ -18,7 +18,7 @@ MET = 1e-13
 """Relative; a rise and a fall that leave no more of their way between them meet."""
 
 
-def write_meeting(ways: Array, courses: Array, first: int, last: int, rows: Array, n: int) -> int:
+def write_meeting(ways: Array, rises: Array, first: int, last: int, rows: Array, n: int) -> int:
     """Write a rise from one boundary and a fall to another; return the number of all segments.
 
     The highest speed at which a rise is levelled off before a fall is searched by `root_share`.
@@ -31,8 +31,8 @@ def write_meeting(ways: Array, courses: Array, first: int, last: int, rows: Arra
     row, t, k, x = int(there[6, first]), 0.0, first, 0.0
     other, u, i, y = int(back[6, p - last]), 0.0, last, 0.0
     for step in range(ROUNDS):
-        row, t, k, x = _summit(there, courses[0], first, top)
-        other, u, i, y = _summit(back, courses[1], p - last, top)
+        row, t, k, x = _summit(there, rises[0], first, top)
+        other, u, i, y = _summit(back, rises[1], p - last, top)
         i = p - 1 - i
         y = there[0, i] - y
         room = y - x
@@ -57,8 +57,8 @@ def write_meeting(ways: Array, courses: Array, first: int, last: int, rows: Arra
         top = between(here, other_end, share)
         if not min(here, other_end) < top < max(here, other_end) or step == ROUNDS - 2:
             top, ended = here if seen >= 0.0 else other_end, True
-    n, k, x = _copy(there, courses[0], first, row, t, rows, n)
-    m, i, y = _copy(back, courses[1], p - last, other, u, courses[2], int(gone[0]))
+    n, k, x = _copy(there, rises[0], first, row, t, rows, n)
+    m, i, y = _copy(back, rises[1], p - last, other, u, rises[2], int(gone[0]))
     i = p - 1 - i
     y = there[0, i] - y
     while k <= i:
@@ -68,15 +68,15 @@ def write_meeting(ways: Array, courses: Array, first: int, last: int, rows: Arra
             n += 1
         k, x = k + 1, 0.0
     for row in range(m - 1, -1, -1):
-        i, h = p - 1 - int(courses[2, 0, row]), courses[2, 6, row]
-        v, a, j = courses[2, 3, row], courses[2, 4, row], courses[2, 5, row]
-        x = there[0, i] - courses[2, 7, row]
+        i, h = p - 1 - int(rises[2, 0, row]), rises[2, 6, row]
+        v, a, j = rises[2, 3, row], rises[2, 4, row], rises[2, 5, row]
+        x = there[0, i] - rises[2, 7, row]
         _add_row(rows, n, i, x, v + h * (a + 0.5 * h * j), -(a + h * j), j, h)
         n += 1
     return n
 
 
-def _summit(way: Array, timing: Array, start: int, top: float) -> tuple[int, float, int, float]:
+def _summit(way: Array, rises: Array, start: int, top: float) -> tuple[int, float, int, float]:
     """Return where the rise from a boundary is levelled off to a speed, and where that ends.
 
     Returns:
@@ -86,15 +86,15 @@ def _summit(way: Array, timing: Array, start: int, top: float) -> tuple[int, flo
     row, high = first - 1, last - 1
     while high - row > 1:
         middle = (row + high) // 2
-        if timing[7, middle + 1] >= top:
+        if rises[7, middle + 1] >= top:
             high = middle
         else:
             row = middle
     row = high
-    k, v, a, h = int(timing[0, row]), timing[2, row], timing[3, row], timing[5, row]
-    most = timing[7, row + 1] if row + 1 < last else way[8, start]
-    before, after, under, over = 0.0, h, timing[7, row] - top, most - top
-    jerk, change, t = way[3, k], timing[4, row], 0.0
+    k, v, a, h = int(rises[0, row]), rises[2, row], rises[3, row], rises[5, row]
+    most = rises[7, row + 1] if row + 1 < last else way[8, start]
+    before, after, under, over = 0.0, h, rises[7, row] - top, most - top
+    jerk, change, t = way[3, k], rises[4, row], 0.0
     if over <= 0.0:
         t = h
     elif under >= 0.0:
@@ -106,7 +106,7 @@ def _summit(way: Array, timing: Array, start: int, top: float) -> tuple[int, flo
     t = min(max(t, 0.0), h)
     path_segment, place = k, 0.0
     for step in range(ROUNDS):
-        x = timing[1, row] + t * (v + t * (0.5 * a + t * (change * SIXTH)))
+        x = rises[1, row] + t * (v + t * (0.5 * a + t * (change * SIXTH)))
         a1 = max(a + change * t, 0.0)
         v1 = v + t * (a + 0.5 * change * t)
         _, path_segment, place, found, _, slope = level_off(way, k, min(x, way[0, k]), v1, a1, k)
@@ -126,7 +126,7 @@ def _summit(way: Array, timing: Array, start: int, top: float) -> tuple[int, flo
 
 
 def _copy(
-    way: Array, timing: Array, start: int, row: int, t: float, rows: Array, n: int
+    way: Array, rises: Array, start: int, row: int, t: float, rows: Array, n: int
 ) -> tuple[int, int, float]:
     """Write the rise from a boundary until a time of a segment, and levelled off behind it.
 
@@ -135,15 +135,15 @@ def _copy(
     """
     v, a, change = 0.0, 0.0, 0.0
     for i in range(int(way[6, start]), row + 1):
-        h = timing[5, i] if i < row else t
-        v, a, change = timing[2, i], timing[3, i], timing[4, i]
-        _add_row(rows, n, int(timing[0, i]), timing[1, i], v, a, change, h)
-        rows[7, n] = timing[6, i]
+        h = rises[5, i] if i < row else t
+        v, a, change = rises[2, i], rises[3, i], rises[4, i]
+        _add_row(rows, n, int(rises[0, i]), rises[1, i], v, a, change, h)
+        rows[7, n] = rises[6, i]
         n += 1
-    k = int(timing[0, row])
-    x = timing[6, row]
-    if t < timing[5, row]:
-        x = min(timing[1, row] + t * (v + t * (0.5 * a + t * (change * SIXTH))), way[0, k])
+    k = int(rises[0, row])
+    x = rises[6, row]
+    if t < rises[5, row]:
+        x = min(rises[1, row] + t * (v + t * (0.5 * a + t * (change * SIXTH))), way[0, k])
     rows[7, n - 1] = x
     v, a = v + t * (a + 0.5 * change * t), max(a + change * t, 0.0)
     end, levelled = x, False

@@ -29,7 +29,7 @@ class _Rise(NamedTuple):
     most: float
 
 
-def write_rises(way: Array, timing: Array) -> None:
+def write_rises(way: Array, rises: Array) -> None:
     """Write the rises over a way."""
     p = way.shape[1] - 1
     for i in range(p + 1):
@@ -50,14 +50,14 @@ def write_rises(way: Array, timing: Array) -> None:
         if k + 1 < p and v1 <= way[4, k + 1] and a1 <= way[2, k + 1]:
             fault, _, _, top, _, _ = level_off(way, k + 1, 0.0, v1, a1, k)
             if fault == 0:
-                n = _add_rise(way, timing, n, k, _Rise(v, a, until, most), end, length, reached)
+                n = _add_rise(way, rises, n, k, _Rise(v, a, until, most), end, length, reached)
                 k, v, a, reached = k + 1, v1, a1, top
                 continue
         last, top, fault, where = _latest(way, k, v, a, until, most, end)
         place, v1, a1 = state_after(last, v, a, jerk, until, most)
-        n = _add_rise(way, timing, n, k, _Rise(v, a, until, most), last, min(place, length), reached)
+        n = _add_rise(way, rises, n, k, _Rise(v, a, until, most), last, min(place, length), reached)
         if fault == 0:
-            n, v, a = _add_levelling(way, timing, n, k, min(place, length), v1, a1, top, where)
+            n, v, a = _add_levelling(way, rises, n, k, min(place, length), v1, a1, top, where)
             v, a, k, reached = min(v, way[4, where]), min(a, way[2, where]), where, top
         else:
             way[7, start], way[8, start] = n, top
@@ -219,21 +219,21 @@ def _levelled_at(
 
 
 def _add_rise(
-    way: Array, timing: Array, n: int, k: int, rise: _Rise, end: float, last: float, reached: float
+    way: Array, rises: Array, n: int, k: int, rise: _Rise, end: float, last: float, reached: float
 ) -> int:
     """Write the segments of a rise in path segment k up to a time and place; return the number of all."""
     jerk = way[3, k]
     if end <= rise.until:
-        return _add(timing, n, k, 0.0, rise.v, rise.a, jerk, end, last, reached)
+        return _add(rises, n, k, 0.0, rise.v, rise.a, jerk, end, last, reached)
     place, v1, _ = state_after(rise.until, rise.v, rise.a, jerk, rise.until, rise.most)
-    n = _add(timing, n, k, 0.0, rise.v, rise.a, jerk, rise.until, place, reached)
+    n = _add(rises, n, k, 0.0, rise.v, rise.a, jerk, rise.until, place, reached)
     _, _, _, top, _, _ = level_off(way, k, place, v1, rise.most, k)
-    return _add(timing, n, k, place, v1, rise.most, 0.0, end - rise.until, last, max(top, reached))
+    return _add(rises, n, k, place, v1, rise.most, 0.0, end - rise.until, last, max(top, reached))
 
 
 def _add_levelling(
     way: Array,
-    timing: Array,
+    rises: Array,
     n: int,
     k: int,
     place: float,
@@ -247,10 +247,10 @@ def _add_levelling(
         length, jerk = way[0, k], way[3, k]
         end = levelled_place(place, v, a, jerk)
         if end <= length or k + 2 == way.shape[1]:
-            n = _add(timing, n, k, place, v, a, -jerk, a / jerk, min(end, length), top)
+            n = _add(rises, n, k, place, v, a, -jerk, a / jerk, min(end, length), top)
             return n, v + 0.5 * a * a / jerk, 0.0
         t = crossing_time(length - place, v, a, -jerk)
-        n = _add(timing, n, k, place, v, a, -jerk, t, length, top)
+        n = _add(rises, n, k, place, v, a, -jerk, t, length, top)
         v += t * (a - 0.5 * jerk * t)
         a = max(a - jerk * t, 0.0)
         place = 0.0
@@ -259,7 +259,7 @@ def _add_levelling(
 
 
 def _add(
-    timing: Array,
+    rises: Array,
     n: int,
     path_segment: int,
     place: float,
@@ -271,6 +271,6 @@ def _add(
     top: float,
 ) -> int:
     """Write a segment; return the number of all."""
-    timing[0, n], timing[1, n], timing[2, n], timing[3, n] = path_segment, place, v, a
-    timing[4, n], timing[5, n], timing[6, n], timing[7, n] = jerk, duration, end, top
+    rises[0, n], rises[1, n], rises[2, n], rises[3, n] = path_segment, place, v, a
+    rises[4, n], rises[5, n], rises[6, n], rises[7, n] = jerk, duration, end, top
     return n + 1

@@ -34,7 +34,7 @@ LEAST, MOST = 1e-50, 1e50
 
 @kernel
 def plan_segments(
-    bounds: Array2, ways: Array3, courses: Array3, rows: Array2, ends: Array1, result: Array1
+    bounds: Array2, ways: Array3, rises: Array3, rows: Array2, ends: Array1, result: Array1
 ) -> None:
     """Write the segments of constant jerk that take the motion from rest to rest over p path segments.
 
@@ -42,7 +42,7 @@ def plan_segments(
         bounds: of the path segments in columns: length, speed, acceleration, jerk, ratio, horizon (see
             `Stage`), of shape (p, 6).
         ways: room for the tables of the way there, the way back, and units and lengths, shape (3, 12, p + 1).
-        courses: room for the tables of rises, of falls, and for segments on the way back, of shape
+        rises: room for the tables of rises, of falls, and for segments on the way back, of shape
             (3, 8, 8·p).
         rows: where the segments go: path segment, time at the start [s], place, speed, acceleration, jerk,
             duration [s], place at the end; of shape (8, 16·p).
@@ -56,12 +56,12 @@ def plan_segments(
     if wrong >= 0:
         result[0], result[1] = -1.0, wrong
         return
-    write_rises(there, courses[0])
-    write_rises(back, courses[1])
+    write_rises(there, rises[0])
+    write_rises(back, rises[1])
     n = first = int(ways[2, 1, 0])  # 0; a number in the text would be a type of its own for numba
     for i in range(1, p + 1):
         if there[6, i] >= 0.0 and back[6, p - i] >= 0.0:
-            n = write_meeting(ways, courses, first, i, rows, n)
+            n = write_meeting(ways, rises, first, i, rows, n)
             first = i
     result[0], result[1] = _time(bounds, ways[2, 0], rows, n, ends), 0.0
 

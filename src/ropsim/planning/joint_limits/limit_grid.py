@@ -35,7 +35,7 @@ class LimitGrid:
     Attributes:
         part: the planned section.
         begins: places at which its path segments begin, and the end of the last one, shape (p + 1,).
-        legs: number of the move of each path segment, shape (p,).
+        moves: number of the move of each path segment, shape (p,).
         borders: from its start on, path limits and path segments end at some of them, shape (c + 1,).
         times: at which the planned section is at the borders, from its start on [s], shape (c + 1,).
         owners: number of the path segment on which each cell lies, shape (c,).
@@ -47,7 +47,7 @@ class LimitGrid:
 
     part: Section
     begins: Array
-    legs: Array
+    moves: Array
     borders: Array
     times: Array
     owners: Array
@@ -79,15 +79,15 @@ class LimitGrid:
         Args:
             rules: time law and look-ahead.
         """
-        rows, counts, result = np.empty((len(self.owners), 6)), np.empty(len(self.legs)), np.empty(1)
-        stages_of(self.borders, self.bounds, self.owners, self.legs, rules.look_ahead, rows, counts, result)
+        rows, counts, result = np.empty((len(self.owners), 6)), np.empty(len(self.moves)), np.empty(1)
+        stages_of(self.borders, self.bounds, self.owners, self.moves, rules.look_ahead, rows, counts, result)
         rows = rows[: int(result[0])]
         path_limits, law = PathLimits(rows[:, :4]), rules.law(rows, counts)
         return Section(self.part.path_segments, path_limits, counts.astype(np.intp), law, self.part.over)
 
     def with_bounds(self, bounds: Array, causes: Array, share: float) -> "LimitGrid":
         """Return the same with other bounds and causes, of which a cell has the least share of its rate."""
-        fixed = self.part, self.begins, self.legs, self.borders, self.times, self.owners, self.planned
+        fixed = self.part, self.begins, self.moves, self.borders, self.times, self.owners, self.planned
         return LimitGrid(*fixed, bounds, causes, share)
 
     def cause(self, cell: int) -> tuple[int, Quantity]:

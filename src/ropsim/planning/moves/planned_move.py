@@ -50,14 +50,14 @@ def planned_moves(
         moves: in order.
         q_start: command joint coordinates at their start [rad | m], shape (n,).
     """
-    legs, q = list[PlannedMove](), q_start
+    planned, q = list[PlannedMove](), q_start
     for move in moves:
-        leg = planned_move_of(chain, move, q)
-        if isinstance(leg, Refusal):
-            return legs, leg
-        legs.append(leg)
-        q = leg.q_end
-    return legs, None
+        planned_move = planned_move_of(chain, move, q)
+        if isinstance(planned_move, Refusal):
+            return planned, planned_move
+        planned.append(planned_move)
+        q = planned_move.q_end
+    return planned, None
 
 
 def planned_move_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -> PlannedMove | Refusal:

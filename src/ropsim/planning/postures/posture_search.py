@@ -39,7 +39,7 @@ class Way:
 
     Attributes:
         q: where it ends [rad | m], shape (n,).
-        legs: of the moves.
+        moves: planned moves.
         refusal: why the next move cannot be made; None where it can, or has not been tried.
         conflicts: how many of its paths whirl the joints.
         changes: for each PTP move that does not end in the nearest branch 1, and 1 for each word of the
@@ -49,7 +49,7 @@ class Way:
     """
 
     q: Array
-    legs: tuple[PlannedMove, ...] = ()
+    moves: tuple[PlannedMove, ...] = ()
     refusal: Refusal | None = None
     conflicts: int = 0
     changes: int = 0
@@ -59,7 +59,7 @@ class Way:
     @property
     def rank(self) -> tuple[int, int, int, int, float]:
         """Return the key to be minimised: minus the moves made, conflicts, changes, narrow, time."""
-        return -len(self.legs), self.conflicts, self.changes, self.narrow, self.time
+        return -len(self.moves), self.conflicts, self.changes, self.narrow, self.time
 
 
 def has_choice(move: MoveInstruction) -> bool:
@@ -87,11 +87,11 @@ def search(
     for number, behind in pairwise(bounds):
         starts = list[_Start]()
         for way in ways:
-            leg = planned_move_of(chain, sequence[number], way.q)
-            if isinstance(leg, Refusal):
-                ended.append(replace(way, refusal=leg))
+            planned_move = planned_move_of(chain, sequence[number], way.q)
+            if isinstance(planned_move, Refusal):
+                ended.append(replace(way, refusal=planned_move))
             else:
-                starts.append(_Start(way, leg))
+                starts.append(_Start(way, planned_move))
         goals = _goals(chain, starts, limits) if tried < MOST_LEGS else [one.nearest.q_end for one in starts]
         ways = []
         for q_end in goals:
@@ -99,7 +99,7 @@ def search(
             if there is None:
                 continue
             way = _onward(chain, limits, there, sequence[number + 1 : behind])
-            tried += len(way.legs) - number
+            tried += len(way.moves) - number
             (ended if way.refusal else ways).append(way)
     return min(ways or ended, key=lambda way: way.rank)
 
@@ -161,7 +161,7 @@ def _taken(chain: MotionChain, starts: Sequence[_Start], q_end: Array, why: Conf
                 continue
             move, changes = other, changes + _change(chain.robot, move.q_end, q_end)
         time = way.time + time_of(chain.robot, move, way.q)
-        found = Way(move.q_end, (*way.legs, move), None, way.conflicts, changes, way.narrow, time)
+        found = Way(move.q_end, (*way.moves, move), None, way.conflicts, changes, way.narrow, time)
         if best is None or found.rank < best.rank:
             best = found
     return best
@@ -171,12 +171,12 @@ def _to_joints(chain: MotionChain, start: _Start, q_end: Array, why: Conflict) -
     """Return the move to other joint coordinates of its target, with a hint instead of M511."""
     move = start.nearest.move
     there = replace(move, target=tuple(q_end.tolist()), external=())
-    leg = planned_move_of(chain, there, start.way.q)
-    if isinstance(leg, Refusal):
-        return leg
+    planned_move = planned_move_of(chain, there, start.way.q)
+    if isinstance(planned_move, Refusal):
+        return planned_move
     said = tuple(one for one in start.nearest.findings if one.code != POSTURE_CHANGE.code)
     hint = posture_for_later(move, chain.robot, start.nearest.q_end, q_end, why)
-    return replace(leg, move=move, findings=said + hint)
+    return replace(planned_move, move=move, findings=said + hint)
 
 
 def _reason(conflicts: Sequence[Conflict], number: int) -> Conflict:
@@ -187,11 +187,11 @@ def _reason(conflicts: Sequence[Conflict], number: int) -> Conflict:
 def _onward(chain: MotionChain, limits: JointRange, way: Way, moves: Sequence[MoveInstruction]) -> Way:
     """Return the way with moves that have no choice, up to the first infeasible one."""
     q, time, conflicts, narrow = way.q, way.time, way.conflicts, way.narrow
-    legs, refusal = planned_moves(chain, moves, q)
-    for move in legs:
+    planned, refusal = planned_moves(chain, moves, q)
+    for move in planned:
         time += time_of(chain.robot, move, q)
         if move.tool is not None:
             conflicts += conflict_of(chain.robot, move, 0) is not None
             narrow += is_narrow(limits, move)
         q = move.q_end
-    return Way(q, (*way.legs, *legs), refusal, conflicts, way.changes, narrow, time)
+    return Way(q, (*way.moves, *planned), refusal, conflicts, way.changes, narrow, time)

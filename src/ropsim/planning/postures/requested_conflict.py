@@ -26,24 +26,24 @@ def without_request(sequence: Sequence[MoveInstruction], number: int) -> list[Mo
 
 
 def in_the_way(
-    robot: RobotModel, leg: PlannedMove, free: PlannedMove, conflict: Conflict
+    robot: RobotModel, refused: PlannedMove, free: PlannedMove, conflict: Conflict
 ) -> tuple[Diagnostic, ...]:
     """Return M589 for a move with a posture request.
 
     Args:
         robot: the arm.
-        leg: of the move.
+        refused: the move as planned with its request.
         free: of the same move without a request.
         conflict: of the later path with the request.
     """
-    move = leg.move
+    move = refused.move
     finding = POSTURE_IN_THE_WAY.at(
         move.origin.span,
         f"{asked_of(move)}, which this move asks for, a later path cannot be followed",
         secondary=conflict.places,
         label=passes(move.origin),
         notes=(conflict.words,),
-        hint=f"leave that out: {difference(robot, free.q_end, leg.q_end)}, and it can be followed",
+        hint=f"leave that out: {difference(robot, free.q_end, refused.q_end)}, and it can be followed",
     )
     return (finding,)
 

@@ -39,7 +39,7 @@ def times_alone(
         if own := own_law_of(move.joints):
             found[number] = own.duration
         elif number not in found:
-            found[number] = _course([move], [], rules).duration
+            found[number] = _timing([move], [], rules).duration
     return tuple(found[number] for number in range(len(moves)))
 
 
@@ -61,7 +61,7 @@ def tool_times(moves: Sequence[PlannedMove], blends: Sequence[Blend | None], rul
 
     def time(span: Span) -> float:
         if span not in known:
-            known[span] = _course(*_part(moves, blends, span), rules).duration
+            known[span] = _timing(*_part(moves, blends, span), rules).duration
         return known[span]
 
     return Times(time, time)
@@ -87,7 +87,7 @@ def arm_times(
     """
 
     def time(span: Span) -> float:
-        timing = _course(*_part(moves, blends, span), rules)
+        timing = _timing(*_part(moves, blends, span), rules)
         return retimed(timing, arm, ticks, rules).duration
 
     return Times(least.exact, time)
@@ -100,5 +100,5 @@ def _part(
     return moves[first:last], blends[first : last - 1]
 
 
-def _course(moves: Sequence[PlannedMove], blends: Sequence[Blend | None], rules: TimingRules) -> Timing:
+def _timing(moves: Sequence[PlannedMove], blends: Sequence[Blend | None], rules: TimingRules) -> Timing:
     return timing_of(sections_of(segments_of(moves, blends), rules), len(moves))
