@@ -22,7 +22,7 @@ from ropsim.flow import JointReference, ModalState, MotionKind, MoveInstruction,
 from ropsim.kinematics import forward
 from ropsim.model import Cell, Payload
 from ropsim.motion import JointPoints, torques
-from ropsim.motion.retiming.utilisation import strain_as_planned, with_torque
+from ropsim.motion.retiming.utilisation import utilisation_as_planned, with_torque
 from ropsim.planning import MotionPlan, MotionState, Refusal, plan, plan_move
 from ropsim.planning.joint_limits.arm_limits import arm_bounds
 from ropsim.simulation import Fidelity, KeptPlans, RunOptions
@@ -229,7 +229,7 @@ def test_planning_of_a_stretch(benchmark: Any, kind: MotionKind) -> None:
     bounds = arm_bounds(chain.robot, Payload())
 
     def look() -> None:
-        strain = strain_as_planned(rows, bounds.joints, done.period)
+        strain = utilisation_as_planned(rows, bounds.joints, done.period)
         assert bounds.effort is not None
         torque = torques(bounds.effort, rows.q, rows.d1, rows.d2)
         with_torque(strain, rows, torque, bounds.joints)

@@ -62,7 +62,7 @@ from ropsim.motion.joint_paths.quintic_kernel import COEFFICIENTS as COEFFICIENT
 from ropsim.motion.joint_paths.quintic_kernel import traced_in_time as traced_in_time
 from ropsim.motion.joint_paths.refined import Refined as Refined
 from ropsim.motion.joint_paths.refined import joins as joins
-from ropsim.motion.joint_paths.refined import rough_parts as rough_parts
+from ropsim.motion.joint_paths.refined import parts_by_error as parts_by_error
 from ropsim.motion.joint_paths.sampled import SampledPath as SampledPath
 from ropsim.motion.joint_paths.sampled import sampled_with_error as sampled_with_error
 from ropsim.motion.line_diagnostics import JOINT_LIMIT_ON_LINE as JOINT_LIMIT_ON_LINE
@@ -113,7 +113,7 @@ from ropsim.motion.retiming.reference import as_planned as as_planned
 from ropsim.motion.retiming.reference import loaded as loaded
 from ropsim.motion.retiming.retime import LONGEST_DELAY as LONGEST_DELAY
 from ropsim.motion.retiming.retime import keep_limits as keep_limits
-from ropsim.motion.retiming.retime import kept_from as kept_from
+from ropsim.motion.retiming.retime import retimed_from as retimed_from
 from ropsim.motion.retiming.retimed import Infeasible as Infeasible
 from ropsim.motion.retiming.retimed import Motion as Motion
 from ropsim.motion.retiming.retimed import RetimedTrajectory as RetimedTrajectory

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ropsim.motion.retiming.attempts import course_below
+from ropsim.motion.retiming.attempts import timing_below
 from ropsim.motion.retiming.constraint_kernel import creeping
 from ropsim.motion.retiming.grid import divide, parts_by_joints, parts_by_rate
 from ropsim.motion.retiming.nominal_time import motion_time
@@ -93,7 +93,7 @@ def test_a_smooth_course_is_that_of_whole_columns(seed: int) -> None:
     mean, slope = mean_within(padded, mean_within(padded, most, 2.0 / 3.0)[0], 1.0 / 3.0)
     smooth = 1.0 - mean[1:-1]
     expected = motion_time(places, smooth, -smooth * slope[1:-1] / widths)
-    found_sigma, clock = course_below(places, x, lasting, width)
+    found_sigma, clock = timing_below(places, x, lasting, width)
     assert found_sigma == pytest.approx(sigma, rel=1e-12)
     assert clock.rates == pytest.approx(expected.rates, rel=1e-9)
     assert clock.times == pytest.approx(expected.times, rel=1e-9)

@@ -19,7 +19,7 @@ from ropsim.motion.retiming import utilisation_kernel as strain_kernel
 from ropsim.motion.retiming.binding import binding_constraint, rates_needed
 from ropsim.motion.retiming.fastest import Speeds
 from ropsim.motion.retiming.grid import places_of
-from ropsim.motion.retiming.utilisation import Going, strain, strain_as_planned, with_torque
+from ropsim.motion.retiming.utilisation import Going, strain, utilisation_as_planned, with_torque
 from ropsim.spatial import Array
 from support.motions import Passing, Waves, body
 
@@ -260,7 +260,7 @@ def test_what_a_plan_uses_is_what_it_uses_gone_at_its_own_rate(ticks: int, n: in
     rows.d2[-1] *= 9.0  # the joints rest behind it
     bounds = JointBounds(*random.uniform(0.5, 2.0, (4, n)))
     whole = strain(rows, torque, bounds, 0.01)
-    plain = strain_as_planned(rows, bounds, 0.01)
+    plain = utilisation_as_planned(rows, bounds, 0.01)
     assert plain.used[:3] == pytest.approx(whole.used[:3], rel=1e-15)
     assert not plain.used[3].any()
     assert (plain.peaks == plain.used.max(axis=1)).all()
@@ -275,4 +275,4 @@ def test_a_plan_that_is_no_numbers_is_told_with_its_tick(wrong: float) -> None:
     rows = JointPoints(*np.zeros((3, 5, 1)))
     rows.d2[3] = wrong
     with pytest.raises(ProfileError, match="at tick 3"):
-        strain_as_planned(rows, BOUNDS, 1.0)
+        utilisation_as_planned(rows, BOUNDS, 1.0)

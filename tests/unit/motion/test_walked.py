@@ -8,7 +8,7 @@ from ropsim.motion.retiming.evaluated import keeps_torque
 from ropsim.motion.retiming.nominal_time_kernel import (
     AT_ONCE,
     ROWS_OF_LOAD,
-    ROWS_OF_WALK,
+    ROWS_OF_RATES,
     beyond_torque,
     walk_at,
 )
@@ -19,7 +19,7 @@ from ropsim.spatial import Array
 def walk(first: Array, second: Array, course: Array, limits: Array) -> tuple[Array, float]:
     """Return the speeds and accelerations, and what is beyond limits."""
     out, beyond = np.full((2, *first.shape), np.nan), np.empty(1)
-    room = np.empty((ROWS_OF_WALK, AT_ONCE * first.shape[1]))
+    room = np.empty((ROWS_OF_RATES, AT_ONCE * first.shape[1]))
     walk_at(first, second, course, limits, room, out.reshape(2, -1), beyond)
     return out, float(beyond[0])
 

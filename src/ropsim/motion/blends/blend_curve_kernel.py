@@ -128,7 +128,7 @@ def blend_curve_rows(
         return
     scales[0], scales[1] = scale * state[0], scale * state[1]
     slowest = SLOWEST * min(scales[0], scales[1])
-    corner_polynomials(series, matrices, d1, d2, scales, room, coefficients, middles, state)
+    blend_polynomials(series, matrices, d1, d2, scales, room, coefficients, middles, state)
     if not state[0] <= FULL_TURN:
         state[0] = WHIRLS
         return
@@ -148,7 +148,7 @@ def _is_unit(tangent: Array) -> bool:
 
 
 @kernel
-def corner_polynomials(
+def blend_polynomials(
     series: Array2,
     matrices: Array3,
     d1: Array2,

@@ -111,7 +111,7 @@ def joins(whole: JointPath, begin: float, part: JointPath, step: float, within: 
     return float(np.abs(np.stack(off)).max()) <= within
 
 
-def rough_parts(error: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
+def parts_by_error(error: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
     """Return the rows between which a path through 2·k + 1 rows is to be known more exactly, first and last.
 
     Around each row that the path through every second one misses lie as many rows as differences reach.

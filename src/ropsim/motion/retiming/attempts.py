@@ -7,7 +7,7 @@ from ropsim.motion.retiming.constraint_rows import ConstraintRows
 from ropsim.motion.retiming.fastest import Speeds
 from ropsim.motion.retiming.nominal_time import NominalTime, unslowed
 from ropsim.motion.retiming.point_kernel import WORK_ROWS, PointLimits, TimedPoints, lacks_at
-from ropsim.motion.retiming.smooth_rates_kernel import SLACK, WORK, smooth_course, windows_last
+from ropsim.motion.retiming.smooth_rates_kernel import SLACK, WORK, smooth_timing, windows_last
 from ropsim.motion.retiming.utilisation import ROUNDING
 from ropsim.motion.retiming.utilisation_kernel import LOAD, RATE, SWING, WINDOW, Derivatives, give_up
 from ropsim.spatial import Array
@@ -56,7 +56,7 @@ class Attempts:
         give_up(self._sigma, lacks, self._work, self._shares)
         self._go()
 
-    def keep_at_places(self, more: float) -> None:
+    def give_up_at_points(self, more: float) -> None:
         """Reduce by the excess of speed, acceleration and jerk at grid points: few ticks then exceed more.
 
         Args:
@@ -84,11 +84,11 @@ class Attempts:
         shares = self._shares
         imposed = (self._caps * shares[RATE]) ** 2
         self._x = self._speeds.under(imposed, self._x, shares[SWING], shares[LOAD])
-        self._sigma, self.clock = course_below(self._places, self._x, self._lasting, shares[WINDOW])
+        self._sigma, self.clock = timing_below(self._places, self._x, self._lasting, shares[WINDOW])
 
 
-def course_below(places: Array, x: Array, lasting: Array, width: Array) -> tuple[Array, NominalTime]:
-    """Return the places in windows, see `smooth_course`, shape (m,), and the nominal time.
+def timing_below(places: Array, x: Array, lasting: Array, width: Array) -> tuple[Array, NominalTime]:
+    """Return the places in windows, see `smooth_timing`, shape (m,), and the nominal time.
 
     Args:
         places: nominal times [s], rising, shape (m,).
@@ -98,7 +98,7 @@ def course_below(places: Array, x: Array, lasting: Array, width: Array) -> tuple
     """
     m = len(places)
     sigma, times, smooth, changes = np.empty((4, m))
-    smooth_course(places, x, lasting, width, np.empty((2 + WORK, m + 2)), sigma, times, smooth, changes)
+    smooth_timing(places, x, lasting, width, np.empty((2 + WORK, m + 2)), sigma, times, smooth, changes)
     return sigma, NominalTime(times, places, smooth, changes)
 
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropsim.motion.retiming.constraint_kernel import least_rate, rates_kept
+from ropsim.motion.retiming.constraint_kernel import least_rate, rates_within
 from ropsim.motion.retiming.constraint_rows import ConstraintRows
 from ropsim.motion.retiming.joint_bounds import Quantity, torques
 from ropsim.spatial import Array
@@ -36,7 +36,7 @@ def rates_needed(demand: ConstraintRows, places: Array, period: float) -> Array:
         period: of the control ticks [s].
     """
     inverse, rates = 1.0 / np.array([demand.bounds.speed, demand.bounds.jerk]), np.empty(len(places))
-    rates_kept(*_rows(demand), places, inverse, period, rates)
+    rates_within(*_rows(demand), places, inverse, period, rates)
     return rates
 
 

@@ -38,7 +38,7 @@ _TINY = 1e-300
 
 
 @kernel
-def rates_kept(d1: Array2, d2: Array2, places: Array1, inverse: Array2, period: float, out: Array1) -> None:
+def rates_within(d1: Array2, d2: Array2, places: Array1, inverse: Array2, period: float, out: Array1) -> None:
     """Write the constant rates, at most 1, at which the joints just keep their limits of speed and jerk.
 
     With the rate w, speeds scale by w and jerk by w³; where acceleration is not steady, its step in one

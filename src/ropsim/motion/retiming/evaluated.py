@@ -6,12 +6,12 @@ import numpy as np
 
 from ropsim.motion.curves.path import JointPoints
 from ropsim.motion.retiming.constraint_rows import ConstraintRows
-from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, Ticks, no_torques, told_torques
+from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, Ticks, checked_torques, no_torques
 from ropsim.motion.retiming.nominal_time import NominalTime
 from ropsim.motion.retiming.nominal_time_kernel import (
     AT_ONCE,
     ROWS_OF_LOAD,
-    ROWS_OF_WALK,
+    ROWS_OF_RATES,
     beyond_torque,
     walk_at,
 )
@@ -56,7 +56,7 @@ def walked(motion: Motion, clock: NominalTime, bounds: JointBounds, ticks: Ticks
     first, second = np.ascontiguousarray(points.d1), np.ascontiguousarray(points.d2)
     limits = np.array([bounds.speed, bounds.acceleration, ticks.period * bounds.jerk]) * _CLEARLY
     rates, beyond = np.empty((2, *points.q.shape)), np.empty(1)
-    room = np.empty((ROWS_OF_WALK, AT_ONCE * limits.shape[1]))
+    room = np.empty((ROWS_OF_RATES, AT_ONCE * limits.shape[1]))
     walk_at(first, second, timing, limits, room, rates.reshape(2, -1), beyond)
     return Walked(timing, points, JointPoints(points.q, rates[0], rates[1]), bool(beyond[0] < 0.0))
 
@@ -69,10 +69,10 @@ def keeps_torque(rows: JointPoints, bounds: JointBounds, effort: Effort | None) 
     """
     if effort is None or bounds.effort is None:
         return True
-    return _keeps(told_torques(effort, rows.q, rows.d1, rows.d2), rows, bounds.effort * (1.0 + ROUNDING))
+    return _keeps(checked_torques(effort, rows.q, rows.d1, rows.d2), rows, bounds.effort * (1.0 + ROUNDING))
 
 
-def strain_of_walk(
+def utilisation_at_ticks(
     walk: Walked, motion: Motion, demand: ConstraintRows, places: Array, period: float, more: float
 ) -> Utilisation | None:
     """Return the utilisation of the limits by a motion in nominal time, None where it clearly keeps all.
@@ -91,7 +91,7 @@ def strain_of_walk(
     rows, bounds, torque = walk.rows, demand.bounds, None
     is_kept = walk.keeps_motion and demand.ways.speeds.shape[1] == 0
     if demand.effort is not None and bounds.effort is not None:
-        torque = told_torques(demand.effort, rows.q, rows.d1, rows.d2)
+        torque = checked_torques(demand.effort, rows.q, rows.d1, rows.d2)
         is_kept = _keeps(torque, rows, bounds.effort * _CLEARLY) and is_kept
     if is_kept:
         return None

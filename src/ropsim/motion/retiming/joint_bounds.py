@@ -92,13 +92,13 @@ def torques(effort: Effort, q: Array, qd: Array, qdd: Array) -> Array:
     Raises:
         ProfileError: M540, one is no number, or they are of another shape.
     """
-    found = told_torques(effort, q, qd, qdd)
+    found = checked_torques(effort, q, qd, qdd)
     if not bool(np.isfinite(found).all()):
         raise no_torques(found, q)
     return found
 
 
-def told_torques(effort: Effort, q: Array, qd: Array, qdd: Array) -> Array:
+def checked_torques(effort: Effort, q: Array, qd: Array, qdd: Array) -> Array:
     """Return the torques of rows [N m | N], all of shape (k, n), whether they are numbers or not.
 
     Raises:

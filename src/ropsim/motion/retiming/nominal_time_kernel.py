@@ -126,7 +126,7 @@ def timed(places: Array1, rates: Array1, changes: Array1, times: Array1) -> None
 _ENDLESS = math.inf
 AT_ONCE = 16
 """Ticks whose numbers are processed as one row."""
-WORST, REST, FIRST_LIMIT, ROWS_OF_WALK = 0, 1, 2, 5
+WORST, REST, FIRST_LIMIT, ROWS_OF_RATES = 0, 1, 2, 5
 """Rows to work in: the most that was found of each column so far, zeros, and limits of all columns."""
 MOST, ROWS_OF_LOAD = 1, 2
 """The same for torques: their limits are in the second row."""
@@ -143,7 +143,7 @@ def walk_at(
         second: second ones.
         timing: nominal times [s], rates w = dφ/dt, and their changes c [1/s], shape (3, k).
         limits: of speed, acceleration and change of acceleration in one tick, shape (3, n).
-        work: to work in, shape (ROWS_OF_WALK, AT_ONCE·n).
+        work: to work in, shape (ROWS_OF_RATES, AT_ONCE·n).
         out: becomes q'·w and q''·w² + q'·c, shape (2, k·n).
         beyond: becomes the most by which one is beyond its limit, below 0 where all are kept, shape (1,).
     """

@@ -72,7 +72,7 @@ def lacks_at(
     lacks: Array2,
     count: Array1,
 ) -> None:
-    """Write what n joints and r paths lack at m points, as `strain_of` does at control ticks; torque aside.
+    """Write lacks of n joints and r paths at m points, as `utilisation_of` at control ticks; torque aside.
 
     The jerk of an interval is the greater one of its two ends: its mean, and what the slope of the change of
     the rate has there beyond its own mean. Where the jerk of the path is between those of the neighbouring

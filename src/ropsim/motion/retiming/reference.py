@@ -8,9 +8,9 @@ import numpy as np
 from ropsim.core import keep_freed_memory
 from ropsim.motion.curves.path import JointPoints
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
-from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, Ticks, told_torques
+from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, Ticks, checked_torques
 from ropsim.motion.retiming.retimed import Motion
-from ropsim.motion.retiming.utilisation import Utilisation, strain_as_planned, with_torque
+from ropsim.motion.retiming.utilisation import Utilisation, utilisation_as_planned, with_torque
 from ropsim.motion.time_law.profile import ProfileError
 from ropsim.spatial import Array
 
@@ -55,7 +55,9 @@ def as_planned(motion: Motion, bounds: JointBounds, effort: Effort | None, ticks
     if rows.q.shape[1:] != bounds.speed.shape:
         found = f"the motion has {rows.q.shape[1:]} joints, the bounds {bounds.speed.shape}"
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, allowed are the same numbers"))
-    return loaded(Reference(phi, rows, None, strain_as_planned(rows, bounds, ticks.period)), bounds, effort)
+    return loaded(
+        Reference(phi, rows, None, utilisation_as_planned(rows, bounds, ticks.period)), bounds, effort
+    )
 
 
 def loaded(planned: Reference, bounds: JointBounds, effort: Effort | None) -> Reference:
@@ -72,7 +74,7 @@ def loaded(planned: Reference, bounds: JointBounds, effort: Effort | None) -> Re
     rows = planned.rows
     if effort is None or bounds.effort is None:
         return planned
-    torque = told_torques(effort, rows.q, rows.d1, rows.d2)
+    torque = checked_torques(effort, rows.q, rows.d1, rows.d2)
     return Reference(planned.phi, rows, torque, with_torque(planned.utilisation, rows, torque, bounds))
 
 

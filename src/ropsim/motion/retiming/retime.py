@@ -8,7 +8,7 @@ from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.retiming.attempts import Attempts
 from ropsim.motion.retiming.binding import binding_constraint
 from ropsim.motion.retiming.constraint_rows import ConstraintRows, demand
-from ropsim.motion.retiming.evaluated import keeps_torque, strain_of_walk, walked
+from ropsim.motion.retiming.evaluated import keeps_torque, utilisation_at_ticks, walked
 from ropsim.motion.retiming.grid import places_of
 from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, Ticks
 from ropsim.motion.retiming.nominal_time import NominalTime, unslowed
@@ -57,10 +57,10 @@ def keep_limits(
         Bobrow, Dubowsky and Gibson 1985; Shin and McKay 1985; Pham and Pham 2018 (see `fastest_kernel`).
     """
     ticks = Ticks(period)
-    return kept_from(as_planned(motion, bounds, effort, ticks), motion, bounds, effort, ticks, grid)
+    return retimed_from(as_planned(motion, bounds, effort, ticks), motion, bounds, effort, ticks, grid)
 
 
-def kept_from(
+def retimed_from(
     planned: Reference,
     motion: Motion,
     bounds: JointBounds,
@@ -105,7 +105,7 @@ def _slowed(
     period = ticks.period
     attempts = Attempts(requested, planned, places, period)
     if requested.ways.speeds.shape[1] == 0:  # sudden changes on tool paths are seen only at ticks
-        attempts.keep_at_places(2.0 * _MORE)
+        attempts.give_up_at_points(2.0 * _MORE)
     best, attempt = (math.inf, unslowed(motion.duration)), 0
     while True:
         clock, (slowest, x) = attempts.clock, attempts.slowest
@@ -114,7 +114,7 @@ def _slowed(
                 requested, places, binding_constraint(requested, places, period, slowest, slowest + 1)
             )
         walk, more = walked(motion, clock, requested.bounds, ticks), math.log1p(_MORE * (attempt + 1))
-        found = strain_of_walk(walk, motion, planned, places, period, more)
+        found = utilisation_at_ticks(walk, motion, planned, places, period, more)
         if found is None or found.is_kept:
             if planned is requested or keeps_torque(walk.rows, requested.bounds, requested.effort):
                 return RetimedTrajectory(clock, _parts(clock, planned, period), walk.timing[0], walk.rows)
@@ -135,7 +135,7 @@ def _slower(
     extra = ROUNDING
     while True:
         walk = walked(motion, clock, requested.bounds, ticks)
-        found = strain_of_walk(walk, motion, requested, places, ticks.period, 0.0)
+        found = utilisation_at_ticks(walk, motion, requested, places, ticks.period, 0.0)
         if found is None or found.is_kept:
             return RetimedTrajectory(clock, _parts(clock, requested, ticks.period), walk.timing[0], walk.rows)
         clock, extra = clock.slower(1.0 / (min(found.factor, 2.0) * (1.0 + extra))), 2.0 * extra

@@ -128,7 +128,7 @@ _LEAST_WAY = 2.0**-52
 
 
 @kernel
-def smooth_course(
+def smooth_timing(
     places: Array1,
     x: Array1,
     lasting: Array1,

@@ -18,9 +18,9 @@ from ropsim.motion.retiming.utilisation_kernel import (
     JointLoad,
     Used,
     by_real_time,
-    strain_of,
     used_by_motion,
     used_by_torque,
+    utilisation_of,
 )
 from ropsim.motion.time_law.profile import ProfileError
 from ropsim.spatial import Array
@@ -83,7 +83,7 @@ class Utilisation:
         return float(max(speed, np.sqrt(acceleration), np.cbrt(jerk), np.sqrt(torque), 1.0))
 
 
-def strain_as_planned(rows: JointPoints, bounds: JointBounds, period: float) -> Utilisation:
+def utilisation_as_planned(rows: JointPoints, bounds: JointBounds, period: float) -> Utilisation:
     """Return the utilisation of the bounds by unslowed rows, except torque; without excesses.
 
     Args:
@@ -144,7 +144,7 @@ def strain(
     going: Going | None = None,
     more: float = 0.0,
 ) -> Utilisation:
-    """Return the utilisation of the bounds by rows; see `strain_of`.
+    """Return the utilisation of the bounds by rows; see `utilisation_of`.
 
     Args:
         rows: references at the control ticks, k rows.
@@ -177,7 +177,7 @@ def strain(
         _limits(bounds, going, period),
     )
     inverse, out = np.empty((4, first.shape[1])), Used(used, peaks, lacks)
-    strain_of(load, path, going.timing, grid, limits, 1.0 + ROUNDING, more, inverse, out)
+    utilisation_of(load, path, going.timing, grid, limits, 1.0 + ROUNDING, more, inverse, out)
     _check(rows, used)
     return Utilisation(used, peaks, lacks)
 

@@ -20,7 +20,7 @@ REST = 6
 def used_by_motion(
     qd: Array1, qdd: Array1, limits: Array2, work: Array2, used: Array2, peaks: Array1
 ) -> None:
-    """Compute what n joints use of speed, acceleration and jerk at k control ticks, as `strain_of` does.
+    """Compute what n joints use of speed, acceleration and jerk at k control ticks, as `utilisation_of` does.
 
     Args:
         qd: speeds [rad/s | m/s], shape (k·n,).
@@ -61,7 +61,7 @@ def used_by_motion(
 
 @kernel
 def used_by_torque(torque: Array1, limit: Array1, work: Array2, used: Array2, peaks: Array1) -> None:
-    """Compute what n joints use of their torque at k control ticks, as `strain_of` does.
+    """Compute what n joints use of their torque at k control ticks, as `utilisation_of` does.
 
     Args:
         torque: of the joints [N m | N], shape (k·n,).
@@ -171,7 +171,7 @@ class Used(NamedTuple):
 
 
 @kernel
-def strain_of(
+def utilisation_of(
     load: JointLoad,
     path: Derivatives,
     timing: Array2,
@@ -333,7 +333,7 @@ def give_up(sigma: Array1, lacks: Array2, work: Array2, shares: Array2) -> None:
     """Make shares smaller, and windows wider, by the greatest lacks in the windows around places.
 
     Args:
-        sigma: places in windows, see `smooth_course`, shape (m,).
+        sigma: places in windows, see `smooth_timing`, shape (m,).
         lacks: logarithms, as from `lacks_at`, shape (4, m).
         work: to work in, shape (2, m).
         shares: of rate and acceleration, width of windows, and share of torque, shape (4, m).

@@ -9,7 +9,7 @@ from ropsim.flow import MoveInstruction
 from ropsim.motion import BlendFault, JointPath, ToolPath, blend_curve
 from ropsim.planning.blends.joined_ends import joined_to
 from ropsim.planning.blends.meeting import meeting_of
-from ropsim.planning.blends.wrist_blend import are_led, wrist_corner
+from ropsim.planning.blends.wrist_blend import are_led, wrist_blend_of
 from ropsim.planning.blends.zone_search import Crossing, way_of
 from ropsim.planning.moves.path_following import follow_path
 from ropsim.planning.moves.planned_move import PlannedMove
@@ -122,7 +122,7 @@ def blend_between(chain: MotionChain, before: PlannedMove, behind: PlannedMove) 
             axes = meeting.axes
             along = coordination_round(between.length, axes[0], s_leave, axes[1], s_enter) if axes else None
             if are_led(before, behind):
-                led = wrist_corner(chain.robot, (before, s_leave), (behind, s_enter), between, along)
+                led = wrist_blend_of(chain.robot, (before, s_leave), (behind, s_enter), between, along)
                 return (
                     CartesianBlend(achieved, s_leave, s_enter, led.tool, led.joints, along)
                     if led

@@ -14,7 +14,7 @@ from ropsim.spatial import record
 
 
 @record
-class WristCorner:
+class WristBlend:
     """The way round a blend.
 
     Attributes:
@@ -31,13 +31,13 @@ def are_led(before: PlannedMove, behind: PlannedMove) -> bool:
     return isinstance(before.tool, WristPath) and isinstance(behind.tool, WristPath)
 
 
-def wrist_corner(
+def wrist_blend_of(
     robot: RobotModel,
     before: tuple[PlannedMove, float],
     behind: tuple[PlannedMove, float],
     path: ToolPath,
     along: Coordination | None,
-) -> WristCorner | None:
+) -> WristBlend | None:
     """Return the way round a blend, None where the arm cannot keep it in the posture of both sides.
 
     The joints of the wrist have angles, slopes and bends of both sides at its ends.
@@ -60,7 +60,7 @@ def wrist_corner(
     if JointRange.of(robot).excess(lead.q).any():
         return None
     joints = wrist_joints(way, lead.q)
-    return WristCorner(way.led_by(joints), joints)
+    return WristBlend(way.led_by(joints), joints)
 
 
 def _joints(move: PlannedMove, place: float) -> JointPoints:

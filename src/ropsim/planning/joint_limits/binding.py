@@ -10,7 +10,7 @@ from ropsim.flow import CriticalLimit, LimitQuantity
 from ropsim.model import Payload, RobotModel
 from ropsim.motion import JointBounds, JointMotionLimits
 from ropsim.planning.joint_limits.arm_limits import ArmBounds, arm_bounds
-from ropsim.planning.joint_limits.binding_kernel import Reached, joints_reached, look_at
+from ropsim.planning.joint_limits.binding_kernel import Reached, limits_reached, sample_moves
 from ropsim.planning.joint_limits.binding_tool import REACHED, Looks, binding_of_tools
 from ropsim.planning.records.motion_plan import MotionPlan, TimedMove
 
@@ -120,7 +120,7 @@ def _joints(
     q, qd, qdd = map(np.ascontiguousarray, (plan.reference.q, plan.reference.qd, plan.reference.qdd))
     spans, room = np.array([(one.first, one.move.last) for one in looked], dtype=np.float64), m * MOST_LOOKS
     ticks, reached, starts, rows = np.empty(room), np.empty(room), np.empty(m + 1), np.empty((3, room, n))
-    look_at(q, qd, qdd, spans, MOST_LOOKS, ticks, starts, rows)
+    sample_moves(q, qd, qdd, spans, MOST_LOOKS, ticks, starts, rows)
     most, counts, longest = np.empty((m, 4, n)), np.empty((m, 4, n)), np.empty((m, 2))
     largest, count = bounds.joints.effort, int(starts[m])
     if bounds.effort is None or largest is None:
@@ -131,5 +131,5 @@ def _joints(
         most[number, 0], most[number, 1] = one.limits.speed, one.limits.acceleration
         most[number, 2], most[number, 3] = largest, one.limits.jerk
     out = Reached(counts, longest, reached)
-    joints_reached(qd, qdd, ticks, starts, torque, most, plan.period, REACHED, out)
+    limits_reached(qd, qdd, ticks, starts, torque, most, plan.period, REACHED, out)
     return Looks(ticks, starts, reached), longest.tolist()

@@ -10,7 +10,7 @@ TURNED = 1e-9
 
 
 @kernel
-def look_at(
+def sample_moves(
     q: Array2,
     qd: Array2,
     qdd: Array2,
@@ -45,7 +45,7 @@ def look_at(
 
 
 class Reached(NamedTuple):
-    """Results of `joints_reached`.
+    """Results of `limits_reached`.
 
     Attributes:
         counts: number of samples of each move at which a limit is reached, shape (m, 4, n).
@@ -60,7 +60,7 @@ class Reached(NamedTuple):
 
 
 @kernel
-def joints_reached(
+def limits_reached(
     qd: Array2,
     qdd: Array2,
     samples: Array1,
@@ -108,14 +108,14 @@ def joints_reached(
 
 
 @kernel
-def four_in_a_row(
+def four_in_sequence(
     q: Array2,
     samples: Array1,
     reached: Array1,
     starts: Array1,
     chosen: Array1,
     rows: Array2,
-    looks_here: Array1,
+    samples_here: Array1,
     reached_here: Array1,
     starts_here: Array1,
 ) -> None:
@@ -128,7 +128,7 @@ def four_in_a_row(
         starts: the first look at each of m moves, and how many there are, shape (m + 1,).
         chosen: numbers of the moves, rising, shape (t,).
         rows: where the rows go, one behind the other, shape (4·room, n).
-        looks_here: becomes `samples` of these moves alone, shape (room,).
+        samples_here: becomes `samples` of these moves alone, shape (room,).
         reached_here: likewise `reached`.
         starts_here: likewise `starts`, shape (t + 1,).
     """
@@ -137,7 +137,7 @@ def four_in_a_row(
         starts_here[c] = k
         m = int(chosen[c])
         for sample in range(int(starts[m]), int(starts[m + 1])):
-            looks_here[k], reached_here[k] = samples[sample], reached[sample]
+            samples_here[k], reached_here[k] = samples[sample], reached[sample]
             for four in range(4):
                 tick = min(int(samples[sample]) + four, last)
                 for j in range(q.shape[1]):
@@ -147,13 +147,13 @@ def four_in_a_row(
 
 
 @kernel
-def tool_on_pieces(
+def tool_on_segments(
     poses: Array3, starts: Array1, tools: Array3, samples: Array1, path_segments: Array2, on: Array1
 ) -> None:
-    """Put the tools on, and write on which path segments looks lie; see `put_on` and `piece_numbers`."""
+    """Put the tools on, and write on which path segments looks lie; see `put_on` and `segment_numbers`."""
     put_on(poses, starts, tools)
     count = int(starts[tools.shape[0]])
-    piece_numbers(samples[:count], path_segments, on[:count])
+    segment_numbers(samples[:count], path_segments, on[:count])
 
 
 @kernel
@@ -176,7 +176,7 @@ def put_on(poses: Array3, starts: Array1, tools: Array3) -> None:
 
 
 @kernel
-def piece_numbers(samples: Array1, path_segments: Array2, on: Array1) -> None:
+def segment_numbers(samples: Array1, path_segments: Array2, on: Array1) -> None:
     """Write the numbers of the path segments on which looks lie.
 
     Args:

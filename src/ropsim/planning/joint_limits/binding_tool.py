@@ -11,7 +11,7 @@ from ropsim.flow import LimitQuantity
 from ropsim.kinematics import forward_batch
 from ropsim.model import RobotModel
 from ropsim.motion import ToolLimits, ToolPath, constant_derivatives
-from ropsim.planning.joint_limits.binding_kernel import four_in_a_row, tool_on_pieces, tool_reached
+from ropsim.planning.joint_limits.binding_kernel import four_in_sequence, tool_on_segments, tool_reached
 from ropsim.planning.records.motion_plan import MotionPlan, TimedMove
 from ropsim.spatial import Array
 
@@ -90,7 +90,7 @@ def _counts(
     rows, here, chosen = np.empty((4 * room, q.shape[1])), np.empty((4, room)), np.array(numbers, dtype=float)
     ticks, reached, on, idle = here[0], here[1], here[2], here[3]
     first = np.empty(t + 1)
-    four_in_a_row(q, samples.ticks, samples.reached, samples.starts, chosen, rows, ticks, reached, first)
+    four_in_sequence(q, samples.ticks, samples.reached, samples.starts, chosen, rows, ticks, reached, first)
     starts: list[float] = first.tolist()
     count = int(starts[-1])
     poses = forward_batch(robot, rows[: 4 * count])
@@ -105,7 +105,7 @@ def _counts(
     path_segments = np.array([(one.first, one.last) for one in plan.path_segments], dtype=np.float64).reshape(
         -1, 2
     )
-    tool_on_pieces(poses, first, tools, ticks, path_segments, on)
+    tool_on_segments(poses, first, tools, ticks, path_segments, on)
     for number, path_segment in enumerate(plan.path_segments):
         if path_segment.frame is not None:
             four = np.repeat(on[:count] == number, 4)

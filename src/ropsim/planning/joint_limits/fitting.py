@@ -17,10 +17,10 @@ from ropsim.motion import (
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.joint_limits.evaluated import EvaluatedTrajectory, as_bounds_allow
 from ropsim.planning.joint_limits.exceeding_kernel import exceeding
-from ropsim.planning.joint_limits.grid_lines_kernel import MOST_PARTS, band_times
+from ropsim.planning.joint_limits.grid_lines_kernel import MOST_PARTS, cell_times
 from ropsim.planning.joint_limits.limit_grid import LimitGrid, limit_grid_of
 from ropsim.planning.joint_limits.slowed_sections import slowed_in
-from ropsim.planning.joint_limits.slowing_step import Aim, slower_run
+from ropsim.planning.joint_limits.slowing_step import Aim, slower_section
 from ropsim.planning.trajectory.sections import TimingRules
 from ropsim.planning.trajectory.timing import timing_of
 from ropsim.spatial import Array
@@ -72,7 +72,7 @@ def _fitted(
     planned: EvaluatedTrajectory, arm: ArmBounds, looked_at: ArmBounds, ticks: Ticks, rules: TimingRules
 ) -> EvaluatedTrajectory:
     """Return the timing with its bounds brought down; at first with regard to evaluated quantities alone."""
-    now, times, grid = planned, _band_times(planned), dict[int, LimitGrid]()
+    now, times, grid = planned, _cell_times(planned), dict[int, LimitGrid]()
     for attempt in range(_ATTEMPTS + _ROUNDS):
         exceeded = _exceeding(now)
         if not exceeded and now.ticks != ticks:
@@ -92,7 +92,9 @@ def _fitted(
             own = grid.get(number) or _bands(planned, number, times)
             if attempt < _ATTEMPTS:
                 aim = Aim(looked_at, now.ticks.period, 1.0 - _LESS * (1 + attempt), rules)
-                grid[number], changed[number] = slower_run(now.motion, now.reference, number, own, found, aim)
+                grid[number], changed[number] = slower_section(
+                    now.motion, now.reference, number, own, found, aim
+                )
             else:
                 grid[number] = own.slower(1.0 / (now.reference.utilisation.factor * (1.0 + _LESS)))
                 changed[number] = grid[number].replanned(rules)
@@ -111,17 +113,17 @@ def _is_too_heavy(reference: Reference, arm: ArmBounds) -> bool:
     return too_heavy(requested, reference.phi) is not None
 
 
-def _band_times(fit: EvaluatedTrajectory) -> Array:
+def _cell_times(fit: EvaluatedTrajectory) -> Array:
     """Return nominal times between which cells lie [s], rising, shape (m,)."""
     reference, duration = fit.reference, fit.timing.duration
     count = max(math.ceil(duration / _SPACING), _FEWEST)
     ways, times, result = np.empty((2, count)), np.empty(MOST_PARTS * count + 1), np.empty(1)
-    band_times(reference.utilisation.used, reference.phi, duration, ways, times, result)
+    cell_times(reference.utilisation.used, reference.phi, duration, ways, times, result)
     return times[: int(result[0])]
 
 
 def _bands(planned: EvaluatedTrajectory, number: int, times: Array) -> LimitGrid:
-    """Return the grid of limits of a planned section, between times, see `_band_times`."""
+    """Return the grid of limits of a planned section, between times, see `_cell_times`."""
     section = planned.timing.sections[number]
     return limit_grid_of(section.part, times, section.start)
 

@@ -20,7 +20,7 @@ STEEP = 0.4
 
 
 @kernel
-def band_times(
+def cell_times(
     used: Array2, phi: Array1, duration: float, ways: Array2, times: Array1, result: Array1
 ) -> None:
     """Write nominal times that are about one real time apart, as dense as a motion must be slow there.

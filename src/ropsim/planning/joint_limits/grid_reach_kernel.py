@@ -36,7 +36,7 @@ def reach_of(
         reach: where the cells go, shape (2, h or more).
     """
     most = borders.shape[0] - 2
-    _bands_of_ticks(places, borders, ticks)
+    _cells_of_ticks(places, borders, ticks)
     _count_successive(places, ticks)
     for h in range(count):
         k = int(imposed[TICK, h])
@@ -46,19 +46,19 @@ def reach_of(
             way = places[1, k] - places[0, k]
             if ticks[2, k] > 0.0:
                 begin = places[0, k] - (1.0 + longer * ticks[2, k]) * way
-                first = min(first, _band_of(borders, begin, first))
+                first = min(first, _cell_of(borders, begin, first))
             if ticks[3, k] > 0.0:
                 end = places[1, k] + (1.0 + longer * ticks[3, k]) * way
-                last = max(last, _band_of(borders, end, last))
+                last = max(last, _cell_of(borders, end, last))
         reach[0, h], reach[1, h] = max(first, 0), min(last, most)
 
 
-def _bands_of_ticks(places: Array, borders: Array, ticks: Array) -> None:
+def _cells_of_ticks(places: Array, borders: Array, ticks: Array) -> None:
     """Write the cells of each tick and the neighbouring ones, in the first two rows."""
     most, last = borders.shape[0] - 2, 0
     for k in range(places.shape[1]):
         for end in range(2):
-            last = _band_of(borders, places[end, k], last)
+            last = _cell_of(borders, places[end, k], last)
             ticks[end, k] = min(max(last + (BESIDE if end else -BESIDE), 0), most)
 
 
@@ -72,7 +72,7 @@ def _count_successive(places: Array, ticks: Array) -> None:
             first = k + 1
 
 
-def _band_of(borders: Array, place: float, near: int) -> int:
+def _cell_of(borders: Array, place: float, near: int) -> int:
     """Return the cell in front of the first border behind a place, searched first at one and behind it.
 
     It is -1 in front of all cells, and their number behind them.

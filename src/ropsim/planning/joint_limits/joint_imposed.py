@@ -59,7 +59,7 @@ class Walked:
     torque: Array | None
 
 
-def joint_caps(evaluated: Walked, arm: ArmBounds, period: float, used: float) -> JointImposedLimits:
+def imposed_limits(evaluated: Walked, arm: ArmBounds, period: float, used: float) -> JointImposedLimits:
     """Return the joint-imposed limits along a path where joints are beyond their limits.
 
     With the path q(s), its speed v and acceleration a: q̈ = q″·v² + q′·a. The term with the greatest part in

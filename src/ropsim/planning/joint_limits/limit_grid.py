@@ -17,8 +17,8 @@ from ropsim.planning.joint_limits.limit_grid_kernel import (
     GridBounds,
     ImposedNumbers,
     LoweredBounds,
+    limits_of_cells,
     lower_bounds,
-    stages_of,
 )
 from ropsim.planning.trajectory.sections import Section, TimingRules
 from ropsim.spatial import Array, record
@@ -80,7 +80,9 @@ class LimitGrid:
             rules: time law and look-ahead.
         """
         rows, counts, result = np.empty((len(self.owners), 6)), np.empty(len(self.moves)), np.empty(1)
-        stages_of(self.borders, self.bounds, self.owners, self.moves, rules.look_ahead, rows, counts, result)
+        limits_of_cells(
+            self.borders, self.bounds, self.owners, self.moves, rules.look_ahead, rows, counts, result
+        )
         rows = rows[: int(result[0])]
         path_limits, law = PathLimits(rows[:, :4]), rules.law(rows, counts)
         return Section(self.part.path_segments, path_limits, counts.astype(np.intp), law, self.part.over)

@@ -99,7 +99,7 @@ def lower_bounds(
 
 
 @kernel
-def stages_of(
+def limits_of_cells(
     borders: Array1,
     bounds: Array2,
     owners: Array1,

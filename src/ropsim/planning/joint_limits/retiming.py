@@ -3,7 +3,7 @@
 import math
 from dataclasses import replace
 
-from ropsim.motion import ROUNDING, Infeasible, Quantity, RetimedTrajectory, Slowed, Ticks, kept_from
+from ropsim.motion import ROUNDING, Infeasible, Quantity, RetimedTrajectory, Slowed, Ticks, retimed_from
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.joint_limits.evaluated import EvaluatedTrajectory, as_bounds_allow
 from ropsim.planning.joint_limits.fitting import fitted
@@ -84,7 +84,7 @@ def _keeping(fit: EvaluatedTrajectory, arm: ArmBounds, ticks: Ticks) -> Retiming
     is_led = any(section.part.leads_tool for section in fit.timing.sections)
     is_heavy = fit.reference.utilisation.used[_TORQUE].max() > 1.0
     spacing = _NARROW_SPACING if is_led or is_heavy else _SPACING
-    kept = kept_from(fit.reference, fit.motion, arm.joints, arm.effort, ticks, spacing)
+    kept = retimed_from(fit.reference, fit.motion, arm.joints, arm.effort, ticks, spacing)
     return Retiming(
         fit.motion, kept, fit.slowed + (kept.slowed if isinstance(kept, RetimedTrajectory) else ())
     )

@@ -5,7 +5,7 @@ import numpy as np
 from ropsim.motion import LawRows, Reference
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.joint_limits.exceeding_kernel import AtTicks, ReferenceRows, SectionLaw, evaluate_section
-from ropsim.planning.joint_limits.joint_imposed import Walked, joint_caps
+from ropsim.planning.joint_limits.joint_imposed import Walked, imposed_limits
 from ropsim.planning.joint_limits.limit_grid import LimitGrid
 from ropsim.planning.trajectory.sections import Section, TimingRules
 from ropsim.planning.trajectory.trajectory import Trajectory
@@ -29,7 +29,7 @@ class Aim:
     rules: TimingRules
 
 
-def slower_run(
+def slower_section(
     motion: Trajectory, reference: Reference, number: int, grid: LimitGrid, ticks: Array, aim: Aim
 ) -> tuple[LimitGrid, Section]:
     """Return the cells of a section as caps at ticks bring them down, and its part with them.
@@ -43,7 +43,7 @@ def slower_run(
         aim: of the step.
     """
     evaluated = _walked(motion, reference, number, grid.begins, ticks)
-    lower = grid.lowered(joint_caps(evaluated, aim.arm, aim.period, aim.used))
+    lower = grid.lowered(imposed_limits(evaluated, aim.arm, aim.period, aim.used))
     return lower, lower.replanned(aim.rules)
 
 

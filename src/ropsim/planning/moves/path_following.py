@@ -7,7 +7,7 @@ import numpy as np
 
 from ropsim.core import Diagnostic
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
-from ropsim.motion import JUMP_ON_LINE, JointPath, Refined, ToolPath, ToolSection, joins, rough_parts
+from ropsim.motion import JUMP_ON_LINE, JointPath, Refined, ToolPath, ToolSection, joins, parts_by_error
 from ropsim.planning.entity_checks.entity_faults import guarded
 from ropsim.planning.entity_checks.path_faults import unusable_path, unusable_samples, unusable_setpoints
 from ropsim.planning.moves.joint_interpolator import StandardJointInterpolator
@@ -50,7 +50,7 @@ def follow_path(
         return joints, samples.findings
     step = samples.length / (len(samples.q) - 1)
     begins, parts = [], []
-    for first, last in rough_parts(error > SMOOTH):
+    for first, last in parts_by_error(error > SMOOTH):
         section = ToolSection(path, first * step, last * step)
         along = coordination.part(first * step, last * step) if coordination else None
         again = _traced(chain, section, samples.q[first], move, along)

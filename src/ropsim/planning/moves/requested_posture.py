@@ -58,7 +58,7 @@ def no_such_posture(
     """
     return POSTURE_OUT_OF_REACH.at(
         move.origin.span,
-        f"`{robot.name}` does not reach the target {asked_of(move)} within its joint limits",
+        f"`{robot.name}` does not reach the target {requested_of(move)} within its joint limits",
         label=passes(move.origin),
         hint=_possible_instead(move.posture or PostureRequest(), robot, branches, q_start, limits),
         data={"pass": move.origin.visit},
@@ -106,7 +106,7 @@ def other_posture(move: MoveInstruction, robot: RobotModel, q_end: Array) -> tup
     name = posture(robot, q_end)
     finding = OTHER_POSTURE.at(
         move.origin.span,
-        f"the path ends in posture {name}, not {asked_of(move)}",
+        f"the path ends in posture {name}, not {requested_of(move)}",
         label=passes(move.origin),
         hint="a path of the tool keeps its posture: take it up with `mov` before",
         data={"pass": move.origin.visit},
@@ -134,7 +134,7 @@ def _arm_axes(robot: RobotModel) -> list[int]:
     return [axis for axis in range(robot.n) if axis not in robot.external]
 
 
-def asked_of(move: MoveInstruction) -> str:
+def requested_of(move: MoveInstruction) -> str:
     """Return the words for the posture and the turns that a move requests."""
     request = move.posture or PostureRequest()
     words = [f"in posture {'-'.join(request.words)}"] if request.words else []

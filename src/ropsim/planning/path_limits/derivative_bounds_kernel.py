@@ -98,7 +98,7 @@ def bounds_of(
 
 
 @kernel
-def bend_speeds(bounds: Array3, limits: Array2, out: Array1) -> None:
+def speeds_within(bounds: Array3, limits: Array2, out: Array1) -> None:
     """Write the highest speeds at which bends take no more than their share in k cells.
 
     Args:

@@ -17,7 +17,7 @@ from ropsim.motion import (
 )
 from ropsim.planning.path_limits.derivative_bounds import DerivativeBounds, derivative_bounds_of
 from ropsim.planning.path_limits.derivative_bounds_kernel import TINY
-from ropsim.planning.path_limits.path_limits_kernel import bent_stages, straight_stage
+from ropsim.planning.path_limits.path_limits_kernel import bent_limits, straight_limits
 from ropsim.planning.records.coordination import Coordination
 from ropsim.spatial import Array, frozen
 
@@ -161,7 +161,7 @@ def _even(length: float, d1: list[float], limits: ToolLimits) -> PathLimits:
 
 def _straight(length: float, d1: Array, limits: JointMotionLimits) -> PathLimits:
     row = np.empty((1, 4))
-    straight_stage(length, d1, limits.speed, limits.acceleration, limits.jerk, row)
+    straight_limits(length, d1, limits.speed, limits.acceleration, limits.jerk, row)
     return PathLimits(row)
 
 
@@ -169,7 +169,7 @@ def _bent(derivative_bounds: DerivativeBounds, limits: JointMotionLimits, share:
     """Return bounds that hold together on a bent path, bends traversed at a share of their allowed speed."""
     rates, k = np.array((limits.speed, limits.acceleration, limits.jerk)), len(derivative_bounds.lengths)
     out, result = np.empty((k, 7)), np.empty(1)
-    bent_stages(
+    bent_limits(
         derivative_bounds.table,
         derivative_bounds.lengths,
         rates,

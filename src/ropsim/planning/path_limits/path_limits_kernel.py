@@ -8,7 +8,7 @@ from math import isnan, sqrt
 import numpy as np
 
 from ropsim.codegen import Array1, Array2, Array3, kernel
-from ropsim.planning.path_limits.derivative_bounds_kernel import ACROSS, ALONG, D1, TINY, bend_speeds
+from ropsim.planning.path_limits.derivative_bounds_kernel import ACROSS, ALONG, D1, TINY, speeds_within
 from ropsim.spatial import Array
 
 MIXED = 0.5
@@ -18,7 +18,7 @@ ALIKE = (1.1, 2.0, 2.0)
 
 
 @kernel
-def bent_stages(
+def bent_limits(
     bounds: Array3,
     lengths: Array1,
     limits: Array2,
@@ -44,7 +44,7 @@ def bent_stages(
             the path limit, shape (k, 7).
         result: output for their number, shape (1,).
     """
-    bend_speeds(bounds, limits, speeds)
+    speeds_within(bounds, limits, speeds)
     for i in range(bounds.shape[1]):
         slow = share * speeds[i]
         for part in range(bounds.shape[2]):
@@ -55,7 +55,7 @@ def bent_stages(
 
 
 @kernel
-def straight_stage(
+def straight_limits(
     length: float, d1: Array1, speed: Array1, acceleration: Array1, jerk: Array1, out: Array2
 ) -> None:
     """Write the path limit of a straight path of p parts.

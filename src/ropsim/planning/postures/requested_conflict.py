@@ -8,7 +8,7 @@ from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.model import RobotModel
 from ropsim.motion import POSTURE_IN_THE_WAY
 from ropsim.planning.moves.planned_move import PlannedMove
-from ropsim.planning.moves.requested_posture import asked_of, difference
+from ropsim.planning.moves.requested_posture import difference, requested_of
 from ropsim.planning.records.conflict import Conflict
 from ropsim.planning.records.wording import passes
 from ropsim.spatial import Pose
@@ -39,7 +39,7 @@ def in_the_way(
     move = refused.move
     finding = POSTURE_IN_THE_WAY.at(
         move.origin.span,
-        f"{asked_of(move)}, which this move asks for, a later path cannot be followed",
+        f"{requested_of(move)}, which this move asks for, a later path cannot be followed",
         secondary=conflict.places,
         label=passes(move.origin),
         notes=(conflict.words,),

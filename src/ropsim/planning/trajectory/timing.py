@@ -10,7 +10,7 @@ from ropsim.core import maker
 from ropsim.motion import TimeLaw
 from ropsim.planning.trajectory.sections import Section
 from ropsim.planning.trajectory.segments import PathSegment
-from ropsim.planning.trajectory.timing_kernel import lay_runs
+from ropsim.planning.trajectory.timing_kernel import lay_sections
 from ropsim.spatial import Array, record
 
 _STOP = nan, 0.0
@@ -98,7 +98,7 @@ def timing_of(parts: Sequence[Section], moves: int) -> Timing:
     segments = np.concatenate([part.law.segments for part in parts], 1)
     ends, requested = np.concatenate([part.law.ends for part in parts]), np.fromiter(numbers, np.float64)
     table, times = np.empty((len(parts), 7)), np.empty((len(parts), 3))
-    lay_runs(segments, ends, requested.reshape(-1, 4), table, times)
+    lay_sections(segments, ends, requested.reshape(-1, 4), table, times)
     table.flags.writeable = segments.flags.writeable = ends.flags.writeable = False
     sections = tuple(_run(part, *at) for part, at in zip(parts, times.tolist(), strict=True))
     return Timing(sections, tuple(_ends(sections, moves)), table, segments, ends)

@@ -47,7 +47,7 @@ _SEGMENTS, _PIECES, _LEAVE, _ENTER = range(4)
 
 
 @kernel
-def lay_runs(segments: Array2, ends: Array1, requested: Array2, sections: Array2, times: Array2) -> None:
+def lay_sections(segments: Array2, ends: Array1, requested: Array2, sections: Array2, times: Array2) -> None:
     """Write when runs begin and end, and for how long the section before each still lasts when it begins [s].
 
     Both motions are added no longer than the shorter one of their sections next to the blend.

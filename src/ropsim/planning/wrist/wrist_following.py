@@ -11,7 +11,7 @@ import numpy as np
 
 from ropsim.kinematics import forward_batch, frames_batch, frames_of_steps
 from ropsim.model import BASE_LINK, RobotModel, held_arm
-from ropsim.motion import JointPath, Refined, SampledPath, joins, rough_parts
+from ropsim.motion import JointPath, Refined, SampledPath, joins, parts_by_error
 from ropsim.planning.records.sampling import SMOOTH
 from ropsim.planning.wrist.wrist_motion import WristMotion, arm_axes
 from ropsim.spatial import Array, Pose, cross, record
@@ -75,7 +75,7 @@ def wrist_joints(way: WristMotion, q: Array) -> JointPath:
     places = np.arange(1.0, len(q) - 1.0, 2.0) * step
     error = np.abs(SampledPath(length, q[::2]).joints(places).q - q[1:-1:2]).max(axis=1)
     begins, parts = [], []
-    for first, last in rough_parts(error > SMOOTH):
+    for first, last in parts_by_error(error > SMOOTH):
         begin, end = first * step, last * step
         lead = _densely(arm, way, q[first : last + 1], (begin, end), _MOST)
         part = SampledPath(end - begin, lead.q)

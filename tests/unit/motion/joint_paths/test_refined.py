@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ropsim.motion import JointLine, Refined, SampledPath, joins, rough_parts
+from ropsim.motion import JointLine, Refined, SampledPath, joins, parts_by_error
 
 
 def test_parts_count_where_they_lie_and_the_whole_counts_elsewhere() -> None:
@@ -45,6 +45,6 @@ def test_a_part_joins_only_where_values_and_slopes_go_on(aside: float, slope: fl
 def test_rows_that_are_missed_make_one_part_with_their_neighbours() -> None:
     rough = np.zeros(50, dtype=bool)
     rough[[0, 20, 24, 49]] = True
-    assert rough_parts(rough) == [(0, 9), (33, 57), (91, 100)]
-    assert rough_parts(~rough) == [(0, 100)]
-    assert rough_parts(np.zeros(50, dtype=bool)) == []
+    assert parts_by_error(rough) == [(0, 9), (33, 57), (91, 100)]
+    assert parts_by_error(~rough) == [(0, 100)]
+    assert parts_by_error(np.zeros(50, dtype=bool)) == []

@@ -6,12 +6,12 @@ from ropsim import robots
 from ropsim.kinematics import forward_batch
 from ropsim.planning.joint_limits.binding_kernel import (
     Reached,
-    four_in_a_row,
-    joints_reached,
-    look_at,
-    piece_numbers,
+    four_in_sequence,
+    limits_reached,
     put_on,
-    tool_on_pieces,
+    sample_moves,
+    segment_numbers,
+    tool_on_segments,
     tool_reached,
 )
 from ropsim.spatial import Pose
@@ -30,7 +30,7 @@ def test_joints_are_counted_move_by_move() -> None:
     most[:, 3] *= 1e3
     counts, longest, reached = np.empty((2, 4, 3)), np.empty((2, 2)), np.empty(len(looks))
     at, first = looks.astype(float), starts.astype(float)
-    joints_reached(qd, qdd, at, first, torque, most, PERIOD, SHARE, Reached(counts, longest, reached))
+    limits_reached(qd, qdd, at, first, torque, most, PERIOD, SHARE, Reached(counts, longest, reached))
     jerk = (qdd[looks + 1] - qdd[looks]) / PERIOD
     sizes = np.abs(np.stack((qd[looks], qdd[looks], torque, jerk), axis=1))
     there = sizes >= SHARE * np.repeat(most, np.diff(starts), axis=0)
@@ -45,7 +45,7 @@ def test_looks_are_evenly_spaced_and_leave_out_the_last_tick_of_a_move() -> None
     rows, most = np.random.default_rng(4).normal(size=(3, 90, 2)), 8
     spans = np.array([[0.0, 3.0], [3.0, 20.0], [20.0, 29.0], [40.0, 90.0]])
     looks, starts, found = np.empty(32), np.empty(5), np.empty((3, 32, 2))
-    look_at(rows[0], rows[1], rows[2], spans, most, looks, starts, found)
+    sample_moves(rows[0], rows[1], rows[2], spans, most, looks, starts, found)
     wanted = [range(0, 2), range(3, 19, 2), range(20, 28), range(40, 89, 7)]
     assert starts.tolist() == [0, 2, 10, 18, 25]
     ticks = [tick for each in wanted for tick in each]
@@ -59,7 +59,7 @@ def test_four_rows_are_taken_of_the_moves_that_are_chosen_as_far_as_there_are_an
     reached = np.array([1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0])
     rows, here = np.empty((28, 3)), np.empty((2, 7))
     first = np.empty(3)
-    four_in_a_row(q, looks, reached, starts, chosen, rows, here[0], here[1], first)
+    four_in_sequence(q, looks, reached, starts, chosen, rows, here[0], here[1], first)
     kept = [0, 1, 2, 4, 5, 6]
     assert first.tolist() == [0, 3, 6]
     np.testing.assert_array_equal(here[:, :6], [looks[kept], reached[kept]])
@@ -72,7 +72,7 @@ def test_tools_are_put_on_and_pieces_found_as_far_as_there_are_looks() -> None:
     pieces, on = np.array([[2.0, 5.0], [5.0, 9.0]]), np.full(4, 7.0)
     wanted = poses @ TOOL.matrix()
     looks = np.array([1.0, 3.0, 5.0, 0.0])
-    tool_on_pieces(poses, np.array([0.0, 3.0]), TOOL.matrix()[None], looks, pieces, on)
+    tool_on_segments(poses, np.array([0.0, 3.0]), TOOL.matrix()[None], looks, pieces, on)
     assert on.tolist() == [-1.0, 0.0, 1.0, 7.0]
     np.testing.assert_allclose(poses, wanted, rtol=0.0, atol=1e-15)
 
@@ -80,7 +80,7 @@ def test_tools_are_put_on_and_pieces_found_as_far_as_there_are_looks() -> None:
 def test_a_look_lies_on_the_piece_that_has_begun_and_not_ended() -> None:
     pieces = np.array([[2.0, 5.0], [5.0, 5.0], [5.0, 9.0], [12.0, 14.0]])
     on = np.empty(15)
-    piece_numbers(np.arange(15.0), pieces, on)
+    segment_numbers(np.arange(15.0), pieces, on)
     assert on.tolist() == [-1, -1, 0, 0, 0, 2, 2, 2, 2, -1, -1, -1, 3, 3, -1]
 
 

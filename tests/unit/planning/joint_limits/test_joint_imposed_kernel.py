@@ -5,7 +5,7 @@ import pytest
 
 from ropsim.motion import JointBounds
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
-from ropsim.planning.joint_limits.joint_imposed import Walked, joint_caps
+from ropsim.planning.joint_limits.joint_imposed import Walked, imposed_limits
 
 TICK = 1e-2
 
@@ -27,7 +27,7 @@ def test_caps_of_many_ticks_are_those_of_each_by_quantity_and_kind(seed: int, sc
     walked = Walked(
         np.sort(rng.uniform(size=(2, b)), axis=0), v, a, jerks, d1, d2, np.zeros((b, n)), qd, qdd, torque
     )
-    caps = joint_caps(walked, arm, TICK, 0.99)
+    caps = imposed_limits(walked, arm, TICK, 0.99)
     found = [tuple(column) for column in caps.rows[:, : caps.count].T.tolist()]
     wanted = []
     for tick in range(b):
@@ -36,7 +36,7 @@ def test_caps_of_many_ticks_are_those_of_each_by_quantity_and_kind(seed: int, sc
         first, second = (np.ascontiguousarray(each[:, here]) for each in (d1, d2))
         joints = np.zeros((1, n)), qd[here], np.ascontiguousarray(qdd[:, here]), torque[here]
         alone = Walked(*at, first, second, *joints)
-        caps = joint_caps(alone, arm, TICK, 0.99)
+        caps = imposed_limits(alone, arm, TICK, 0.99)
         wanted += [
             (*column[:2], float(tick), *column[3:]) for column in caps.rows[:, : caps.count].T.tolist()
         ]

@@ -16,7 +16,7 @@ from ropsim.planning.joint_limits.grid_lines_kernel import (
     STEEP,
     GridLines,
     SectionTimes,
-    band_times,
+    cell_times,
     lay_grid,
 )
 from ropsim.planning.joint_limits.grid_reach_kernel import BESIDE, MOST_LONGER, reach_of
@@ -27,8 +27,8 @@ from ropsim.planning.joint_limits.limit_grid_kernel import (
     GridBounds,
     ImposedNumbers,
     LoweredBounds,
+    limits_of_cells,
     lower_bounds,
-    stages_of,
 )
 from ropsim.planning.joint_limits.slowed_sections_kernel import GridNumbers, slowed_spans
 from ropsim.planning.trajectory.timing_kernel import lay_horizons
@@ -138,7 +138,7 @@ def test_neighbours_on_one_piece_with_the_same_bounds_are_one_stage(seed: int) -
     owners = np.cumsum(np.append(0, rng.integers(0, 2, c - 1))).astype(np.float64)
     legs = np.arange(owners[-1] + 1.0)
     stages, counts, told = np.empty((c, 6)), np.empty(len(legs)), np.empty(1)
-    stages_of(borders, bounds, owners, legs, 1, stages, counts, told)
+    limits_of_cells(borders, bounds, owners, legs, 1, stages, counts, told)
     keys = np.column_stack((owners, bounds.T))
     firsts = np.append(0, np.flatnonzero((np.diff(keys, axis=0) != 0.0).any(axis=1)) + 1)
     assert told[0] == len(firsts)
@@ -183,7 +183,7 @@ def test_times_are_as_dense_as_the_rates_beside_them_ask_for(seed: int) -> None:
     phi, used = np.linspace(0.0, duration, k), rng.uniform(0.2, 1.1, (4, k))
     used[0, 40:50], used[1, 70], used[2, 90], used[0, 20:30] = 1.5, 9.0, 64.0, np.linspace(1.0, 3.0, 10)
     times, told = np.empty(MOST_PARTS * count + 1), np.empty(1)
-    band_times(used, phi, duration, np.empty((2, count)), times, told)
+    cell_times(used, phi, duration, np.empty((2, count)), times, told)
     step = duration / count
     way = np.minimum(phi // step, count - 1).astype(int)
     need = np.maximum(np.maximum(used[0], np.sqrt(used[1])), np.maximum(np.cbrt(used[2]), 1.0))
@@ -214,7 +214,7 @@ def test_ways_that_are_slower_are_told_with_the_band_that_loses_most(seed: int) 
     bounds = planned * np.where(lower, rng.uniform(0.3, 1.0, c), 1.0)
     causes = np.where(lower & (rng.integers(0, 4, c) > 0), rng.integers(0, 4, (2, c)), -1).astype(np.float64)
     legs, rows, many, told = np.zeros(3), np.empty((c, 6)), np.empty(3), np.empty(1)
-    stages_of(borders, bounds, owners, legs, 0, rows, many, told)
+    limits_of_cells(borders, bounds, owners, legs, 0, rows, many, told)
     slow = jerk_limited(rows[: int(told[0])], many)
     ways, most = np.empty((4, c)), float(law.speeds.max())
     pieces = np.searchsorted(begins[1:-1], borders, "right")

@@ -7,7 +7,7 @@ from ropsim.motion import ROUNDING, JointBounds, Ticks
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.joint_limits.evaluated import as_bounds_allow
 from ropsim.planning.joint_limits.limit_grid import limit_grid_of
-from ropsim.planning.joint_limits.slowing_step import Aim, slower_run
+from ropsim.planning.joint_limits.slowing_step import Aim, slower_section
 from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
 from ropsim.planning.trajectory.sections import Section, sections_of
 from ropsim.planning.trajectory.segments import segments_of
@@ -37,7 +37,7 @@ def test_a_step_lowers_bounds_where_joints_cannot_follow_and_they_exceed_less_th
     ticks = over[over > 0].astype(np.float64)
     assert len(ticks) > 0
     bands = limit_grid_of(part, np.linspace(0.0, part.law.duration, 80), 0.0)
-    lower, slower = slower_run(motion, before.reference, 0, bands, ticks, Aim(arm, TICK, 0.999, RULES))
+    lower, slower = slower_section(motion, before.reference, 0, bands, ticks, Aim(arm, TICK, 0.999, RULES))
     after = as_bounds_allow(motion.timed(timing_of([slower], 1)), arm, Ticks(TICK))
     lowered = (lower.bounds < lower.planned).any(axis=0)
     assert (lower.bounds <= lower.planned).all()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from ropsim.motion import Interval, PiecewiseLaw, plan_time_law
-from ropsim.planning.trajectory.timing_kernel import lay_runs
+from ropsim.planning.trajectory.timing_kernel import lay_sections
 
 ROUNDING = 1e-12
 
@@ -29,7 +29,7 @@ def test_runs_overlap_as_long_as_the_shorter_of_both_parts_beside_a_corner(seed:
         np.concatenate([law.ends for law in each]),
     )
     runs, times = np.empty((9, 7)), np.empty((9, 3))
-    lay_runs(segments, ends, asked, runs, times)
+    lay_sections(segments, ends, asked, runs, times)
     assert times.tolist() == runs[:, (0, 6, 1)].tolist()
     assert times[0, :2].tolist() == [0.0, 0.0]
     assert runs[:, 2].tolist() == [law.duration for law in each]
