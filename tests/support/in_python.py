@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any, TypeVar, cast
 
-from ropsim.codegen.kernel import Kernel
+from ropsim.codegen import Kernel
 
 F = TypeVar("F", bound=Callable[..., Any])
 

@@ -6,7 +6,7 @@ import pkgutil
 import pytest
 
 import ropsim
-from ropsim.codegen.kernel import Kernel
+from ropsim.codegen import Kernel
 
 
 def all_kernels() -> list[Kernel]:

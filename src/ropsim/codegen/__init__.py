@@ -17,6 +17,8 @@ from ropsim.codegen.formulas.tracer import sqrt as sqrt
 from ropsim.codegen.formulas.tracer import tanh as tanh
 from ropsim.codegen.given_code import Formula as Formula
 from ropsim.codegen.given_code import GivenCode as GivenCode
+from ropsim.codegen.kernel import InPython as InPython
+from ropsim.codegen.kernel import Kernel as Kernel
 from ropsim.codegen.kernel import kernel as kernel
 from ropsim.codegen.kernel import numba_available as numba_available
 from ropsim.codegen.load import Engine as Engine

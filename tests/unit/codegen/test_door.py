@@ -10,8 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from ropsim.codegen import Array1, Array2, Array3, StoppedError, bound, kernel
-from ropsim.codegen.kernel import Kernel
+from ropsim.codegen import Array1, Array2, Array3, Kernel, StoppedError, bound, kernel
 from ropsim.codegen.machine.door import Call, machine_code_at
 from ropsim.codegen.machine.object_code import NoObjectCodeError
 from ropsim.codegen.machine.signature import REAL, Signature

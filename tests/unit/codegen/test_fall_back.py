@@ -15,6 +15,8 @@ from ropsim.codegen import (
     Array1,
     Array2,
     Engine,
+    InPython,
+    Kernel,
     StoppedError,
     Tracer,
     as_row,
@@ -28,7 +30,6 @@ from ropsim.codegen import (
     row_by_row,
     sin,
 )
-from ropsim.codegen.kernel import InPython, Kernel
 from ropsim.codegen.machine import object_code
 from ropsim.codegen.machine.compiled import BOUNDS, CompilingWarning
 from ropsim.spatial import Array

@@ -12,8 +12,17 @@ from weakref import ref
 import numpy as np
 import pytest
 
-from ropsim.codegen import Array1, Array2, Engine, bound, default_engine, kernel, numba_available
-from ropsim.codegen.kernel import InPython, Kernel
+from ropsim.codegen import (
+    Array1,
+    Array2,
+    Engine,
+    InPython,
+    Kernel,
+    bound,
+    default_engine,
+    kernel,
+    numba_available,
+)
 from ropsim.codegen.machine.numba_stages import STAGES
 from ropsim.codegen.machine.object_code import MachineCode, MissingNameError
 from ropsim.motion.time_law.time_law_kernel import plan_segments

@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ropsim.codegen import Array1, Array2, columns, kernel, numba_available
-from ropsim.codegen.kernel import Kernel
+from ropsim.codegen import Array1, Array2, Kernel, columns, kernel, numba_available
 from ropsim.codegen.machine import prepared
 from ropsim.codegen.machine.object_code import ENTRY, emit_object, portable_text, with_entry
 from ropsim.codegen.prepare import kernels

@@ -27,7 +27,7 @@ def test_an_exception_of_a_users_entity_is_a_finding_at_the_line_with_its_place(
     assert isinstance(refusal, Refusal)
     found = refusal.diagnostics[0]
     assert (found.code, found.span) == ("C603", LINE)
-    assert "`Theirs` raised ZeroDivisionError: by nothing (test_entity_faults.py, line 17)" in found.message
+    assert "`Theirs` raised ZeroDivisionError: by nothing (test_entity_faults.py, line 16)" in found.message
 
 
 def test_a_function_of_a_user_is_called_by_its_name() -> None:
