@@ -3,7 +3,7 @@
 import gc
 import os
 import sys
-from collections.abc import Generator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import pytest
@@ -123,3 +123,11 @@ def _rank(module: str) -> int:
 
 def _folder(module: Path) -> int:
     return ORDER.index(module.relative_to(HERE).parts[0])
+
+
+@pytest.fixture(autouse=True)
+def cache_findings_end_with_a_test() -> Iterator[None]:
+    """A process remembers why its cache folder was refused; later commands in it would report that."""
+    yield
+    if kept_files := sys.modules.get("ropsim.core.disk.kept_files"):
+        kept_files._findings.clear()
