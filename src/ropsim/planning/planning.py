@@ -1,4 +1,4 @@
-"""Planning a sequence: moves become paths, paths a timing with rounded blends, that a motion in time."""
+"""Planning a sequence: moves become paths, paths with blends become a timing, and that a trajectory."""
 
 import math
 from collections.abc import Sequence

@@ -33,11 +33,11 @@ def sequence_moves(
     moves, count = (*sequence, *ahead), len(sequence)
     planned, refusal = _chosen(chain, moves, q_start)
     if refusal:
-        planned = _told(chain, moves, q_start, planned, refusal)
+        planned = _explained(chain, moves, q_start, planned, refusal)
     return planned[:count], refusal if len(planned) < count else None
 
 
-def _told(
+def _explained(
     chain: MotionChain,
     moves: Sequence[MoveInstruction],
     q_start: Array,

@@ -60,6 +60,7 @@ def compiled(name: str, source: str, signature: Signature, build: Build, plain: 
         with GENERATED.turn(int(digest, 16)), without_collection():
             address = kept_address(entry)  # made by another process meanwhile
             if address is None:
+                begin_compiling()
                 prepared = _from_prepared(prepared_name(name, source))
                 if prepared is None:
                     return _made(entry, signature, build, plain)
@@ -77,7 +78,6 @@ def _from_prepared(name: str) -> tuple[int, MachineCode] | None:
     text = prepared_text(name)
     if text is None:
         return None
-    begin_compiling()
     try:
         code = emit_object(text, ENTRY)
         return load(code), code
@@ -87,7 +87,6 @@ def _from_prepared(name: str) -> tuple[int, MachineCode] | None:
 
 def _made(name: str, signature: Signature, build: Build, plain: Compiled) -> Compiled:
     """Return a function that is compiled now, and keep it if it stands alone."""
-    begin_compiling()
     try:
         import_module("numba")
     except ImportError as error:

@@ -4,7 +4,7 @@ A rise starts without acceleration and takes as much jerk, then as much accelera
 allows, while it can still be levelled off (its acceleration taken back to 0 with the full jerk of the path
 segments that this leads through) without breaking a bound. Where it could no longer, it is levelled off until
 the path segment that was in the way is reached. Where a rise is too fast for the following segments, a new
-one starts at the bound there. A fall is a rise on the way back. So there is a timing of rises from the start,
+one starts at the bound there. A fall is a rise on the way back. So there is a chain of rises from the start,
 one of falls from the end, and the motion follows the lower one of both. Where a rise meets a fall, both are
 levelled off to the highest speed at which one is still before the other. Passes from both ends follow
 time-optimal motions along paths (Bobrow, Dubowsky and Gibson 1985, Time-Optimal Control of Robotic
