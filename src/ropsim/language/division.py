@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from itertools import accumulate, compress, count
 from operator import is_not
-from typing import TypeVar
 
 from ropsim.core import SourceText, Span, frozen_dataclass
 from ropsim.language.blocks import units
@@ -15,9 +14,7 @@ from ropsim.language.environment import Environment
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.report import Report
 from ropsim.program import Places, SourceMap, placed
-from ropsim.query import Database
-
-T = TypeVar("T")
+from ropsim.query import Database, Splice, splice
 
 _TRAIL = "trail of the division"
 """Input: records of the last division."""
@@ -54,14 +51,14 @@ def divided(source: SourceText, environment: Environment, report: Report, db: Da
     """
     steps = walk_chunks(source, environment, db)
     trail = db.auxiliary(_TRAIL, Trail)
-    above, below = _remaining(steps, trail.steps)
-    firsts = _firsts(steps, trail.firsts, above, below)
-    found = _spliced(trail.found, above, [one.found for one in steps[above : len(steps) - below]], below)
+    unchanged = splice(trail.steps, steps, is_not)
+    firsts = _firsts(steps, trail.firsts, unchanged)
+    found = unchanged.spliced(trail.found, [one.found for one in unchanged.between(steps)])
     for k in compress(count(), found):
         for finding in found[k]:
             report.add(placed(finding, partial(_moved, source=source.name, by=firsts[k] - 1)))
     opener = _opener(source, steps, firsts)
-    made = joined_again(steps, firsts, trail, above, below, db) if trail.is_simple else None
+    made = joined_again(steps, firsts, trail, unchanged, db) if trail.is_simple else None
     made = made or joined_anew(steps, firsts, trail, db)
     now = SourceMap(source.name, made.places)
     for name, span in made.doubles:
@@ -74,24 +71,12 @@ def divided(source: SourceText, environment: Environment, report: Report, db: Da
     return Units(made.tasks, made.parts, now, opener, made.new_tasks, made.new_parts, made.new_places)
 
 
-def _remaining(steps: Sequence[Step], before: Sequence[Step]) -> tuple[int, int]:
-    """Return with how many steps that are the same objects two rows begin, and then end."""
-    least = min(len(steps), len(before))
-    above = next(compress(count(), map(is_not, steps, before)), least)
-    below = next(compress(count(), map(is_not, reversed(steps), reversed(before))), least)
-    return above, min(below, least - above)
-
-
-def _spliced(known: Sequence[T], above: int, between: Sequence[T], below: int) -> list[T]:
-    return [*known[:above], *between, *known[len(known) - below :]]
-
-
-def _firsts(steps: Sequence[Step], known: Sequence[int], above: int, below: int) -> list[int]:
+def _firsts(steps: Sequence[Step], known: Sequence[int], unchanged: Splice) -> list[int]:
     """Return the line at which each step begins, and the one behind the last."""
-    between = (len(one.chunk.lines) for one in steps[above : len(steps) - below])
-    found = [*known[:above], *accumulate(between, initial=known[above])]
-    rest = known[len(known) - below :] if below else []
-    shift = found[-1] - known[len(known) - 1 - below]
+    between = (len(one.chunk.lines) for one in unchanged.between(steps))
+    found = [*unchanged.known_above(known), *accumulate(between, initial=known[unchanged.above])]
+    rest = unchanged.known_below(known)
+    shift = found[-1] - known[len(known) - 1 - unchanged.below]
     return [*found, *(map(shift.__add__, rest) if shift else rest)]
 
 

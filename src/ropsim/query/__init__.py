@@ -6,3 +6,6 @@ from ropsim.query.database import always_new as always_new
 from ropsim.query.event import Event as Event
 from ropsim.query.event import Outcome as Outcome
 from ropsim.query.once import Once as Once
+from ropsim.query.splice import NOTHING_UNCHANGED as NOTHING_UNCHANGED
+from ropsim.query.splice import Splice as Splice
+from ropsim.query.splice import splice as splice

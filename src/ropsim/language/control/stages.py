@@ -2,13 +2,12 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from itertools import compress, count
-from operator import ne
 from typing import Any, Generic, Protocol, TypeVar
 
 from ropsim.language.check.one_part import Left
 from ropsim.language.control.way import Way
 from ropsim.language.questions import Group
+from ropsim.query import splice
 
 
 class _Step(Protocol):
@@ -90,11 +89,10 @@ class Stages(ABC, Generic[S, G]):
 
     def go_through(self, groups: Sequence[Group], past: Sequence[G]) -> list[G]:
         """Return the stages of all groups; `past` are the last ones."""
-        above, below = ends_alike(groups, [one.group for one in past])
-        found = [self._pass(one) for one in past[:above]]
-        end = len(past) - below
-        found += self._between(groups[above : len(groups) - below], past[above:end])
-        found += [self._pass(one) for one in past[end:]]
+        unchanged = splice([one.group for one in past], groups)
+        found = [self._pass(one) for one in unchanged.known_above(past)]
+        found += self._between(unchanged.between(groups), unchanged.between(past))
+        found += [self._pass(one) for one in unchanged.known_below(past)]
         return found
 
     def catch_up(self) -> Way:
@@ -130,13 +128,12 @@ class Stages(ABC, Generic[S, G]):
         """Return the stages of groups that differ from the last ones."""
         units = [unit for group in groups for unit in group]
         steps = [step for stage in past for step in stage.steps]
-        above, below = ends_alike(units, [one.unit for one in steps])
-        made = [self._pass_step(one.unit, one) for one in steps[:above]]
-        end = len(steps) - below
-        for one in steps[above:end]:
+        unchanged = splice([one.unit for one in steps], units)
+        made = [self._pass_step(one.unit, one) for one in unchanged.known_above(steps)]
+        for one in unchanged.between(steps):
             self.went(one, None)
-        made += [self._pass_step(unit, None) for unit in units[above : len(units) - below]]
-        made += [self._pass_step(one.unit, one) for one in steps[end:]]
+        made += [self._pass_step(unit, None) for unit in unchanged.between(units)]
+        made += [self._pass_step(one.unit, one) for one in unchanged.known_below(steps)]
         found, at = [], 0
         for group in groups:
             found.append(self.stage(group, tuple(made[at : at + len(group)])))
@@ -163,11 +160,3 @@ class Stages(ABC, Generic[S, G]):
         if self._passed:
             self._way.left = self._way.left_before = self._passed[-1].left
         return self._way
-
-
-def ends_alike(one: Sequence[object], other: Sequence[object]) -> tuple[int, int]:
-    """Return with how many equal items two rows begin, and with how many further ones they end."""
-    least = min(len(one), len(other))
-    above = next(compress(count(), map(ne, one, other)), least)
-    below = next(compress(count(), map(ne, reversed(one), reversed(other))), least)
-    return above, min(below, least - above)

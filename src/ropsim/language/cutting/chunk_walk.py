@@ -5,10 +5,9 @@ effects of the chunks above are unchanged.
 """
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from operator import attrgetter
-from typing import TypeVar
 
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.language.blocks import prose
@@ -29,9 +28,7 @@ from ropsim.language.cutting.reading import (
 from ropsim.language.cutting.recut import Cut, recut
 from ropsim.language.environment import Environment
 from ropsim.language.report import MAX_FINDINGS
-from ropsim.query import Database
-
-T = TypeVar("T")
+from ropsim.query import NOTHING_UNCHANGED, Database, Splice
 
 MOST_FAULTS = 2 * MAX_FINDINGS
 """Wrong lines; a text that has more of them is not read to its end."""
@@ -92,27 +89,6 @@ class _Trail:
     steps: list[Step] = field(default_factory=list)
 
 
-@frozen_dataclass
-class _Remains:
-    """How many chunks are unchanged: those above an edit, and those below it."""
-
-    above: int
-    below: int
-
-    def joined(self, known: Sequence[T], size: int, made: Callable[[int], T]) -> list[T]:
-        """Return a list of `size` values: the known values of unchanged chunks, and made ones of the others.
-
-        Args:
-            known: of all chunks that there were; empty where nothing is known.
-            size: how many there are.
-            made: of a chunk, by its number.
-        """
-        if not known:
-            return [*map(made, range(size))]
-        between = map(made, range(self.above, size - self.below))
-        return [*known[: self.above], *between, *known[len(known) - self.below :]]
-
-
 def walk_chunks(source: SourceText, environment: Environment, db: Database) -> list[Step]:
     """Return the chunks of a text in blocks, up to the limit of wrong lines.
 
@@ -120,39 +96,37 @@ def walk_chunks(source: SourceText, environment: Environment, db: Database) -> l
     """
     trail = db.auxiliary(_TRAIL, _Trail)
     cut = recut(source.with_line_feeds(), trail.cut)
-    remains = _Remains(cut.above, cut.below)
-    found = _parsed(cut.chunks, remains, trail.found, db)
+    found = _parsed(cut, trail.found, db)
     is_whole = len(found) == len(cut.chunks)
     chunks = cut.chunks if is_whole else cut.chunks[: len(found)]
     names = _names(environment, found, trail.names)
     db.give({TASK_NAMES: names})
     is_known = is_whole and names is trail.names
-    foreign = remains.joined(
-        trail.foreign if is_known else (), len(chunks), lambda k: db.ask(has_foreign, chunks[k].lines)
-    )
+    unchanged = cut.unchanged if is_known and trail.foreign else NOTHING_UNCHANGED
+    new_foreign = [db.ask(has_foreign, one.lines) for one in unchanged.between(chunks)]
+    foreign = unchanged.spliced(trail.foreign, new_foreign)
     keys = _mended(chunks, found, foreign, db)
     misspelt = [(one.lines, ends) for one, ends in zip(chunks, keys, strict=False) if ends is not None]
     callable_ones = names.union(*(db.ask(mended_names, *one) for one in misspelt)) if misspelt else names
     db.give({CALLABLE: callable_ones})
-    is_known = is_known and not misspelt
-    steps = _read(chunks, keys, _first_left(found), remains if is_known else _Remains(0, 0), trail.steps, db)
+    unchanged = cut.unchanged if is_known and not misspelt else NOTHING_UNCHANGED
+    steps = _read(chunks, keys, _first_left(found), unchanged, trail.steps, db)
     trail.cut, trail.names = cut, names
     trail.found, trail.foreign = (found, foreign) if is_whole else ([], [])
     trail.steps = steps if is_whole and not misspelt else []
     return steps
 
 
-def _parsed(
-    chunks: Sequence[Chunk], remains: _Remains, known: Sequence[Parsed], db: Database
-) -> list[Parsed]:
+def _parsed(cut: Cut, known: Sequence[Parsed], db: Database) -> list[Parsed]:
     """Return the chunks line by line, up to the limit of wrong lines."""
     if known:
-        found = remains.joined(known, len(chunks), lambda k: db.ask(parsed, chunks[k].lines))
+        new = [db.ask(parsed, one.lines) for one in cut.unchanged.between(cut.chunks)]
+        found = cut.unchanged.spliced(known, new)
         if sum(map(_FAULTS, found)) <= MOST_FAULTS:
             return found
     found = []
     faults = 0
-    for chunk in chunks:
+    for chunk in cut.chunks:
         found.append(db.ask(parsed, chunk.lines))
         faults += found[-1].faults
         if faults > MOST_FAULTS:
@@ -194,19 +168,19 @@ def _read(
     chunks: Sequence[Chunk],
     keys: Sequence[Ends | None],
     left: Left,
-    remains: _Remains,
+    unchanged: Splice,
     known: Sequence[Step],
     db: Database,
 ) -> list[Step]:
     """Return each chunk in blocks; `keys` says with which ends they are mended, where some are."""
     is_known = bool(known) and known[0].left == left
-    steps = list(known[: remains.above]) if is_known else []
+    steps = list(unchanged.known_above(known)) if is_known else []
     if steps:
         left = _behind(steps[-1])
-    below = len(chunks) - remains.below
+    below = len(chunks) - unchanged.below
     for k in range(len(steps), len(chunks)):
         if is_known and k == below:
-            rest = known[len(known) - remains.below :]
+            rest = unchanged.known_below(known)
             if rest[0].left == left:
                 return [*steps, *rest]
         ends = keys[k] if keys else None

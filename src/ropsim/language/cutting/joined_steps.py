@@ -10,7 +10,7 @@ from ropsim.language.check.calls.tasks import TaskText
 from ropsim.language.cutting.chunk_walk import Step
 from ropsim.language.cutting.joining import Joining
 from ropsim.program import Places
-from ropsim.query import Database
+from ropsim.query import Database, Splice
 
 
 @dataclass(slots=True)
@@ -100,15 +100,16 @@ def joined_anew(steps: Sequence[Step], firsts: Sequence[int], trail: Trail, db: 
 
 
 def joined_again(
-    steps: Sequence[Step], firsts: Sequence[int], trail: Trail, above: int, below: int, db: Database
+    steps: Sequence[Step], firsts: Sequence[int], trail: Trail, unchanged: Splice, db: Database
 ) -> Made | None:
     """Put those steps together that are others than before; None where names elsewhere depend on theirs."""
-    first = above
+    first = unchanged.above
     while first and not trail.free[first - 1]:
         first -= 1
     joining, more, end = Joining(db), len(steps) - len(trail.steps), len(steps)
     for k in range(first, len(steps)):
-        if k >= len(steps) - below and not joining.items and (k == more or trail.free[k - more - 1]):
+        is_below = k >= len(steps) - unchanged.below
+        if is_below and not joining.items and (k == more or trail.free[k - more - 1]):
             end = k
             break
         joining.step(steps[k], firsts[k])

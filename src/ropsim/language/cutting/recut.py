@@ -3,12 +3,13 @@
 from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from itertools import accumulate, chain, compress, count
+from itertools import accumulate, chain
 
 from ropsim.core import EditedLines, edited_lines
 from ropsim.language.cutting.chunks import Bounds, Chunk, TextSection, bounds, chunks_at, section_of
 from ropsim.language.cutting.cuts import REACH, cuts, has_blocks
 from ropsim.language.cutting.line_kinds import kinds_of
+from ropsim.query import NOTHING_UNCHANGED, Splice, splice
 
 FURTHER = 8
 """Within this number of pieces below an edit one must begin at an old begin, else all are cut again."""
@@ -26,8 +27,7 @@ class Cut:
         starts: first line of each section, from 0.
         sizes: number of chunks of each section.
         chunks: of the text.
-        above: how many of them, from the first one on, are lines of the text before.
-        below: the same from the last one up.
+        unchanged: how many of them are lines of the text before.
     """
 
     text: str = ""
@@ -37,8 +37,7 @@ class Cut:
     starts: list[int] = field(default_factory=list)
     sizes: list[int] = field(default_factory=list)
     chunks: list[Chunk] = field(default_factory=list)
-    above: int = 0
-    below: int = 0
+    unchanged: Splice = NOTHING_UNCHANGED
 
 
 def recut(text: str, before: Cut) -> Cut:
@@ -70,7 +69,7 @@ def recut(text: str, before: Cut) -> Cut:
     first = sum(before.sizes[:kept])
     gone = before.chunks[first : first + sum(before.sizes[kept:until])]
     new = [*chain.from_iterable(one.chunks for one in made)]
-    above_new, below_new = _ends_alike(new, gone)
+    again = splice(gone, new, _differ)
     return Cut(
         text,
         lines,
@@ -83,8 +82,7 @@ def recut(text: str, before: Cut) -> Cut:
         ],
         [*before.sizes[:kept], *(len(one.chunks) for one in made), *before.sizes[until:]],
         [*before.chunks[:first], *new, *before.chunks[first + len(gone) :]],
-        first + above_new,
-        len(before.chunks) - first - len(gone) + below_new,
+        Splice(first + again.above, len(before.chunks) - first - len(gone) + again.below),
     )
 
 
@@ -145,14 +143,6 @@ def _kept_above(starts: Sequence[int], above: int) -> int:
     Where a section ends depends on the line behind it, and for a block without end on a few more lines.
     """
     return max(bisect_right(starts, above - REACH) - 1, 0)
-
-
-def _ends_alike(one: Sequence[Chunk], other: Sequence[Chunk]) -> tuple[int, int]:
-    """Return with how many equal chunks two rows begin, and with how many further ones they end."""
-    least = min(len(one), len(other))
-    above = next(compress(count(), map(_differ, one, other)), least)
-    below = next(compress(count(), map(_differ, reversed(one), reversed(other))), least)
-    return above, min(below, least - above)
 
 
 def _differ(one: Chunk, other: Chunk) -> bool:

@@ -70,9 +70,8 @@ class OwnTasks:
             self._known[source.name] = before
             return before
         cut = recut(text, before.cut)
-        between = cut.chunks[cut.above : len(cut.chunks) - cut.below]
-        rest = before.found[len(before.found) - cut.below :]
-        found = [*before.found[: cut.above], *map(self._tasks, between), *rest]
+        made = [*map(self._tasks, cut.unchanged.between(cut.chunks))]
+        found = cut.unchanged.spliced(before.found, made)
         names = _NO_NAMES.union(*found)
         now = _Known(cut, found, before.names if names == before.names else names)
         self._known[source.name] = now

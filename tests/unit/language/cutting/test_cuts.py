@@ -169,9 +169,8 @@ def test_a_text_that_was_cut_before_is_cut_as_one_that_is_new(text: list[str], t
         before = recut("\n".join(lines), known)
         assert before.chunks == list(chunks(lines))
         assert before.lines == lines
-        assert before.chunks[: before.above] == known.chunks[: before.above]
-        below = before.below
-        assert before.chunks[len(before.chunks) - below :] == known.chunks[len(known.chunks) - below :]
+        unchanged = before.unchanged
+        assert unchanged.spliced(known.chunks, unchanged.between(before.chunks)) == before.chunks
 
 
 def test_an_edit_cuts_the_task_around_it_and_no_other() -> None:
