@@ -12,16 +12,17 @@ from support.examples import register_profiles
 
 ORDER = ("architecture", "unit", "packaging", "golden", "reference", "spec", "property", "e2e")
 LONGEST = (
-    "test_studio_editor.py",
     "test_studio_trouble.py",
-    "test_studio_access.py",
-    "test_studio_keys.py",
-    "test_studio_picture.py",
-    "test_studio_tasks.py",
-    "test_studio_endings.py",
-    "test_studio_jog.py",
+    "test_studio_layout.py",
+    "test_studio_override.py",
+    "test_studio_editor.py",
+    "test_studio_typing.py",
     "test_studio_stations.py",
-    "test_studio_attacks.py",
+    "test_studio_keys.py",
+    "test_studio_jog.py",
+    "test_studio_access.py",
+    "test_studio_tasks.py",
+    "test_studio_picture.py",
 )
 """The longest modules with a browser come first among them: one begun last would keep a worker alone."""
 QUICK = "not slow"

@@ -9,7 +9,7 @@ from graphlib import CycleError, TopologicalSorter
 
 import pytest
 
-from support.sources import trees
+from support.sources import nodes, trees
 
 
 def modules() -> dict[str, ast.Module]:
@@ -24,13 +24,12 @@ def modules() -> dict[str, ast.Module]:
 def imported(tree: ast.Module, known: frozenset[str]) -> set[str]:
     """Return which of the known modules a module imports, wherever in its text."""
     found = set()
-    for node in ast.walk(tree):
-        match node:
-            case ast.Import(names=names):
-                found |= {alias.name for alias in names}
-            case ast.ImportFrom(module=str() as module, level=0, names=names):
-                wanted = {alias.name: f"{module}.{alias.name}" for alias in names}
-                found |= {full if full in known else module for full in wanted.values()}
+    for node in nodes(tree, ast.Import):
+        found |= {alias.name for alias in node.names}
+    for one in nodes(tree, ast.ImportFrom):
+        if one.module and not one.level:
+            wanted = [f"{one.module}.{alias.name}" for alias in one.names]
+            found |= {full if full in known else one.module for full in wanted}
     return found & known
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from tools.diagnostic_pages import BANDS, RETIRED
 
-from support.sources import trees
+from support.sources import nodes, trees
 
 ROOT = Path(__file__).parents[2]
 
@@ -19,7 +19,7 @@ def defined_codes() -> dict[str, str]:
     """Return the package of every code that some source file defines."""
     codes: dict[str, str] = {}
     for path, tree in trees().items():
-        for node in ast.walk(tree):
+        for node in nodes(tree, ast.Call):
             match node:
                 case ast.Call(func=ast.Name("define"), args=[ast.Constant(str() as code), *_]):
                     codes[code] = path.partition("/")[0]
@@ -37,32 +37,34 @@ def test_codes_stand_in_the_band_of_their_package() -> None:
     assert strays == {}
 
 
-def code_literals(path: Path) -> list[str]:
-    """Return the places of a file at which the text of a defined code stands, its definition aside."""
-    tree = ast.parse(path.read_text("utf-8"))
-    calls = [one for one in ast.walk(tree) if isinstance(one, ast.Call)]
-    definitions = {id(one.args[0]) for one in calls if ast.unparse(one.func) == "define"}
-    found = [one for one in ast.walk(tree) if isinstance(one, ast.Constant) and id(one) not in definitions]
-    places = [f"{path.name}:{one.lineno}: {one.value}" for one in found if one.value in defined_codes()]
-    by_band = [one for one in calls if ast.unparse(one.func).endswith(".code.startswith")]
-    return places + [f"{path.name}:{one.lineno}: {ast.unparse(one)}" for one in by_band]
+def code_literals(path: str, tree: ast.Module) -> list[str]:
+    """Return the lines of a module at which the text of a defined code stands, its definition aside."""
+    calls = [*nodes(tree, ast.Call)]
+    definitions = {id(one.args[0]) for one in calls if is_named(one.func, "define")}
+    found = [one for one in nodes(tree, ast.Constant) if id(one) not in definitions]
+    places = [f"{path}:{one.lineno}: {one.value}" for one in found if one.value in defined_codes()]
+    starts = [one for one in calls if is_named(one.func, "startswith")]
+    by_band = [one for one in starts if ast.unparse(one.func).endswith(".code.startswith")]
+    return places + [f"{path}:{one.lineno}: {ast.unparse(one)}" for one in by_band]
+
+
+def is_named(function: ast.expr, name: str) -> bool:
+    """Return whether the last part of the name of a called function is `name`."""
+    return getattr(function, "id", getattr(function, "attr", None)) == name
 
 
 def test_a_code_stands_in_its_definition_only() -> None:
     """Who treats findings of a class alike reads the category of a finding, or the code of a kind."""
-    sources = [path for path in (ROOT / "src" / "ropsim").rglob("*.py") if "static" not in path.parts]
-    assert [place for path in sources for place in code_literals(path)] == []
+    assert [place for path, tree in trees().items() for place in code_literals(path, tree)] == []
     pages = [one for one in (ROOT / "frontend" / "src").rglob("*.ts*") if ".test." not in one.name]
     quoted = re.compile(rf"""['"`](?:{"|".join(defined_codes())})['"`]""")
     texts = {page.name: page.read_text("utf-8") for page in pages}
     assert {name: found for name, text in texts.items() if (found := quoted.findall(text))} == {}
 
 
-def test_the_search_for_codes_finds_lists_comparisons_and_bands(tmp_path: Path) -> None:
-    source = tmp_path / "lists.py"
+def test_the_search_for_codes_finds_lists_comparisons_and_bands() -> None:
     lines = 'A = {"S723", "X1"}', 'b = one.code == "S751"', 'c = one.code.startswith("L")', 'd = "see S751"'
-    source.write_text("\n".join(lines))
-    assert code_literals(source) == [
+    assert code_literals("lists.py", ast.parse("\n".join(lines))) == [
         "lists.py:1: S723",
         "lists.py:2: S751",
         "lists.py:3: one.code.startswith('L')",

@@ -15,7 +15,7 @@ import pytest
 
 import ropsim
 from support.pages import Step, steps
-from support.sources import trees
+from support.sources import nodes, trees
 
 SOURCE = Path(ropsim.__file__).parent
 ROOT = Path(__file__).parents[2]
@@ -40,8 +40,8 @@ def offered(package: str) -> frozenset[str]:
 
 def behind_fronts(tree: ast.Module, own: str = "") -> list[str]:
     """Return what a module of the package `own` takes from others except through their fronts."""
-    nodes = [node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom | ast.Attribute)]
-    return [found for node in nodes for found in _behind(node, own)] + _through(nodes, own)
+    found = [*nodes(tree, ast.Import), *nodes(tree, ast.ImportFrom), *nodes(tree, ast.Attribute)]
+    return [one for node in found for one in _behind(node, own)] + _through(found, own)
 
 
 def _behind(node: ast.AST, own: str) -> Iterator[str]:
@@ -61,18 +61,18 @@ def _behind(node: ast.AST, own: str) -> Iterator[str]:
             pass
 
 
-def _through(nodes: Sequence[ast.AST], own: str) -> list[str]:
+def _through(found: Sequence[ast.AST], own: str) -> list[str]:
     """Return modules that are reached as attributes, as `icr.machine` is after `from ropsim import icr`."""
     called = {
         alias.asname or alias.name: alias.name
-        for node in nodes
+        for node in found
         if isinstance(node, ast.ImportFrom) and node.module == "ropsim"
         for alias in node.names
         if alias.name in PACKAGES - {own}
     }
     return [
         f"ropsim.{package}.{node.attr}"
-        for node in nodes
+        for node in found
         if isinstance(node, ast.Attribute)
         and isinstance(node.value, ast.Name)
         and (package := called.get(node.value.id)) is not None

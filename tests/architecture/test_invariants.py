@@ -4,7 +4,7 @@ import ast
 
 import pytest
 
-from support.sources import trees
+from support.sources import nodes, trees
 
 EDGES = {"cellfile", "cli", "exchange", "language", "lsp", "robotfile", "robots", "studio", "tomltext"}
 EDGES |= {"views"}
@@ -27,20 +27,17 @@ OUTPUT = {"print", "open", "input"}
 
 def converts(tree: ast.Module) -> bool:
     """Return whether a module turns radians to degrees, metres to millimetres, or back."""
-    return any(
-        (isinstance(node, ast.Attribute) and node.attr in {"degrees", "radians", "deg2rad", "rad2deg"})
-        or (
-            isinstance(node, ast.Constant)
-            and ((isinstance(node.value, float) and node.value in {180.0, 1000.0}) or node.value == 180)
-        )
-        for node in ast.walk(tree)
+    by_name = {"degrees", "radians", "deg2rad", "rad2deg"}
+    return any(node.attr in by_name for node in nodes(tree, ast.Attribute)) or any(
+        (isinstance(node.value, float) and node.value in {180.0, 1000.0}) or node.value == 180
+        for node in nodes(tree, ast.Constant)
     )
 
 
 def words_findings(tree: ast.Module) -> bool:
     """Return whether a module makes findings, or speaks of coordinates in them."""
-    modules = {node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
-    names = {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
+    modules = {node.module or "" for node in nodes(tree, ast.ImportFrom)}
+    names = {node.name for node in nodes(tree, ast.FunctionDef)}
     makes = any("diagnostics" in module or module == "ropsim.motion" for module in modules)
     return makes or names >= {"coordinate", "rate"} or any(name.endswith("_words") for name in names)
 
@@ -65,8 +62,8 @@ def test_the_base_frame_begins_in_two_places_and_is_shown_in_one() -> None:
     callers = {
         path
         for path, tree in trees().items()
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "in_base"
+        for node in nodes(tree, ast.Call)
+        if isinstance(node.func, ast.Name) and node.func.id == "in_base"
     }
     assert callers == {"workbench/compiling/environment.py", "planning/chain.py", "lsp/analysis/names.py"}
 
@@ -76,16 +73,15 @@ def test_nothing_below_the_readers_of_files_opens_or_prints() -> None:
         (path, node.func.id)
         for path, tree in trees().items()
         if path.partition("/")[0] not in HIGH and path not in OWN_FILES
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in OUTPUT
+        for node in nodes(tree, ast.Call)
+        if isinstance(node.func, ast.Name) and node.func.id in OUTPUT
     }
     paths = {
         path
         for path, tree in trees().items()
         if path.partition("/")[0] not in HIGH and path not in OWN_FILES
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Call)
-        and isinstance(node.func, ast.Attribute)
+        for node in nodes(tree, ast.Call)
+        if isinstance(node.func, ast.Attribute)
         and node.func.attr in {"read_bytes", "write_bytes", "write_text", "mkdir", "unlink"}
     }
     assert (calls, paths) == (set(), set())
@@ -99,22 +95,17 @@ CACHE_TEXTS = ("ROPSIM_CACHE_DIR", "XDG_CACHE_HOME", "XDG_STATE_HOME", "XDG_CONF
 
 def names_the_cache(tree: ast.Module) -> bool:
     """Return whether a module knows where the cache folder lies, or reads the variables that say so."""
+    names = {node.id for node in nodes(tree, ast.Name)}
+    names |= {node.attr for node in nodes(tree, ast.Attribute)}
+    names |= {node.name for node in nodes(tree, ast.alias)}
     texts = docstrings(tree)
-    for node in ast.walk(tree):
-        match node:
-            case ast.Name(id=name) | ast.Attribute(attr=name) | ast.alias(name=name) if name in CACHE_NAMES:
-                return True
-            case ast.Constant(value=str() as text) if node not in texts:
-                if text in CACHE_TEXTS:
-                    return True
-            case _:
-                pass
-    return False
+    in_texts = (node.value in CACHE_TEXTS and node not in texts for node in nodes(tree, ast.Constant))
+    return not CACHE_NAMES.isdisjoint(names) or any(in_texts)
 
 
 def docstrings(tree: ast.Module) -> set[ast.AST]:
     """Return the texts that stand alone, as docstrings do."""
-    return {node.value for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    return {node.value for node in nodes(tree, ast.Expr)}
 
 
 @pytest.mark.parametrize(
@@ -142,9 +133,8 @@ def test_one_module_takes_locks() -> None:
     takers = {
         path
         for path, tree in trees().items()
-        for node in ast.walk(tree)
-        if (isinstance(node, ast.ImportFrom) and node.module in LOCKS)
-        or (isinstance(node, ast.Import) and LOCKS & {one.name for one in node.names})
+        if LOCKS & {node.module for node in nodes(tree, ast.ImportFrom)}
+        or LOCKS & {one.name for node in nodes(tree, ast.Import) for one in node.names}
     }
     assert takers == {"core/disk/file_lock.py"}
 
@@ -152,10 +142,7 @@ def test_one_module_takes_locks() -> None:
 def test_nothing_changes_the_mask_of_permissions() -> None:
     """All threads of a process share it: a change for a moment opens the new files of the others to all."""
     found = {
-        path
-        for path, tree in trees().items()
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Attribute) and node.attr == "umask"
+        path for path, tree in trees().items() for node in nodes(tree, ast.Attribute) if node.attr == "umask"
     }
     assert found == set()
 
@@ -164,9 +151,8 @@ def test_machine_code_is_loaded_where_its_seal_was_checked() -> None:
     loaders = {
         path
         for path, tree in trees().items()
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Attribute)
-        and node.attr in {"deserialize", "deserialize_file", "add_object_file", "CDLL", "LoadLibrary"}
+        for node in nodes(tree, ast.Attribute)
+        if node.attr in {"deserialize", "deserialize_file", "add_object_file", "CDLL", "LoadLibrary"}
     }
     assert loaders == {"codegen/machine/object_code.py", "prolog/wasm/module_cache.py"}
 
@@ -184,9 +170,8 @@ def test_files_of_users_are_read_by_the_reader_that_is_bounded() -> None:
     found = {
         path
         for path, tree in trees().items()
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Call)
-        and (
+        for node in nodes(tree, ast.Call)
+        if (
             (isinstance(node.func, ast.Attribute) and node.func.attr in {"read_bytes", "read_text"})
             or (isinstance(node.func, ast.Name) and node.func.id == "open")
         )

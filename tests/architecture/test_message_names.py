@@ -7,7 +7,7 @@ import pytest
 
 from ropsim.cli import all_kinds
 from support.internal_names import PACKAGES, internal_names, shown_internals
-from support.sources import trees
+from support.sources import nodes, trees
 
 CODES = ("P1", "P2")
 """The band of the packages that read Prolog."""
@@ -52,8 +52,8 @@ def test_no_message_shows_a_value_as_python_writes_it() -> None:
         f"{path}:{node.lineno}"
         for path, tree in trees().items()
         if path.startswith(PACKAGES)
-        for call in ast.walk(tree)
-        if isinstance(call, ast.Call) and isinstance(call.func, ast.Attribute) and call.func.attr == "at"
+        for call in nodes(tree, ast.Call)
+        if isinstance(call.func, ast.Attribute) and call.func.attr == "at"
         for node in ast.walk(call)
         if (isinstance(node, ast.FormattedValue) and node.conversion == ord("r"))
         or (isinstance(node, ast.Attribute) and node.attr in ("__name__", "__class__", "__qualname__"))

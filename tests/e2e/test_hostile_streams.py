@@ -13,6 +13,8 @@ from ropsim.workbench import new_project
 from support.patience import PATIENCE
 from support.usual_signals import usual_signals
 
+pytestmark = pytest.mark.slow
+
 FULL = Path("/dev/full")
 
 

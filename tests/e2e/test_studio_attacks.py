@@ -37,6 +37,8 @@ from support.studio_family import gone, language_servers, needs_proc, workers
 from support.studio_launcher import MOST_LANGUAGE_SERVERS
 from support.studio_process import Studio, own_port
 
+pytestmark = pytest.mark.slow
+
 MAIN = "programs/main.task"
 CLOSED = b"\x88\x02" + (1013).to_bytes(2, "big")
 """The frame that closes a socket with the words: try again later."""

@@ -6,6 +6,8 @@
 from itertools import islice
 from pathlib import Path
 
+import pytest
+
 from ropsim.workbench import new_project
 from support.patience import until
 from support.studio_client import command
@@ -17,7 +19,7 @@ COUNT, WARM = 30, 10
 MOST_GROWTH = 0.1
 """A share: memory goes up and down by some hundredths while garbage is collected."""
 
-pytestmark = needs_proc
+pytestmark = [needs_proc, pytest.mark.slow]
 
 
 def test_memory_files_and_processes_stay_as_they_are(tmp_path: Path) -> None:

@@ -17,6 +17,8 @@ from support.studio_family import ends, gone, language_servers, needs_proc, orig
 from support.studio_process import Studio
 from support.usual_signals import usual_signals
 
+pytestmark = pytest.mark.slow
+
 MAIN = "programs/main.task"
 ENDLESS = "program main\nrepeat\n  wait 1\nendr\n"
 LONG = "program main\nwait 60\n"

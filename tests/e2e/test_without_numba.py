@@ -18,6 +18,8 @@ from support.patience import PATIENCE
 from support.studio_client import command, page_of
 from support.studio_process import Studio
 
+pytestmark = pytest.mark.slow
+
 ABSENT = """
 import sys
 for name in ("numba", "llvmlite"):

@@ -1,6 +1,6 @@
 """Check of the control statements, part by part: a part is checked again only if its context has changed.
 
-Inputs and result of each part are kept in a record, as in the inference pass (`control_walk`).
+Inputs and result of each part are kept in a record, as in the inference pass (`control.walk`).
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
