@@ -11,10 +11,10 @@ from ropsim.motion import (
     Infeasible,
     JointBounds,
     JointPoints,
+    PathMotion,
     RetimedTrajectory,
-    Ways,
-    keep_limits,
-    no_ways,
+    no_path_motion,
+    retime,
     time_optimal,
 )
 from ropsim.spatial import Array
@@ -106,14 +106,14 @@ class Warped:
         d1, d2 = self._path(s, 1), self._path(s, 2)
         return JointPoints(self._path(s), d1 * s1, d2 * s1**2 + d1 * s2)
 
-    def ways(self, phi: Array) -> Ways:
-        return no_ways(len(phi))
+    def path_motion(self, phi: Array) -> PathMotion:
+        return no_path_motion(len(phi))
 
 
 def test_limits_that_hold_cost_a_look_at_every_tick(benchmark: Any) -> None:
     measure = Measure(benchmark)
     motion, ticks = Warped(60.0), np.asarray(np.arange(60_001) * 1e-3, dtype=np.float64)
-    found, _ = measure(lambda: keep_limits(motion, LIMITS, effort, 1e-3), rounds=5)
+    found, _ = measure(lambda: retime(motion, LIMITS, effort, 1e-3), rounds=5)
     assert isinstance(found, RetimedTrajectory)
     assert found.slowed == ()
 
@@ -121,7 +121,7 @@ def test_limits_that_hold_cost_a_look_at_every_tick(benchmark: Any) -> None:
         points = motion.at(ticks)
         return effort(points.q, points.d1, points.d2)
 
-    ours, bare = processor_seconds(lambda: keep_limits(motion, LIMITS, effort, 1e-3), rows_and_torques)
+    ours, bare = processor_seconds(lambda: retime(motion, LIMITS, effort, 1e-3), rows_and_torques)
     measure.figure("times the rows and torques alone", ours / bare, most=2.5)
     measure.figure("us per tick", 1e6 * ours / len(ticks))
 
@@ -129,7 +129,7 @@ def test_limits_that_hold_cost_a_look_at_every_tick(benchmark: Any) -> None:
 def test_a_motion_that_is_slowed(benchmark: Any) -> None:
     measure = Measure(benchmark)
     motion = Warped(8.0)
-    found, time = measure(lambda: keep_limits(motion, LIMITS, effort, 1e-3), rounds=5)
+    found, time = measure(lambda: retime(motion, LIMITS, effort, 1e-3), rounds=5)
     assert isinstance(found, RetimedTrajectory)
     measure.figure("ms", 1e3 * time.best)
     measure.figure("s of motion", found.clock.duration)

@@ -31,7 +31,7 @@ IN_PYTHON = (
     "motion/test_limit_kernels.py",
     "motion/test_limit_parts.py",
     "motion/test_place_kernel.py",
-    "motion/test_walked.py",
+    "motion/test_evaluated.py",
     "motion/test_motion_time.py",
     "controller/test_part_times.py",
     "planning/blends/test_blend.py",

@@ -35,7 +35,7 @@ coordinates = st.tuples(*[st.floats(-1.0, 1.0)] * 3)
 turns = st.tuples(*[st.floats(-1.0, 1.0)] * 4).filter(lambda q: math.hypot(*q) > 0.1)
 poses = st.builds(lambda p, q: Pose(np.array(p), np.array(q)), coordinates, turns)
 modes = st.sampled_from(OrientationMode)
-lines = st.builds(Line, poses, poses, modes).filter(lambda line: np.linalg.norm(line.way) > 0.05)
+lines = st.builds(Line, poses, poses, modes).filter(lambda line: np.linalg.norm(line.displacement) > 0.05)
 arcs = st.builds(
     arc, poses, poses, poses, st.sampled_from(ArcOrientation), modes, st.none() | st.floats(0.1, 10.0)
 )

@@ -117,7 +117,7 @@ def test_line_is_straight_turns_about_one_axis_and_respects_both_limits(X_start:
     assume(path.length > 0.0)
     law = plan_time_law(tool_path_limits(path, TOOL_LIMITS))
     rows = law.at(np.linspace(0.0, law.duration, 201))
-    points = path.tool(rows.places)
+    points = path.tool(rows.parameters)
     way = X_end.position - X_start.position
     offsets = points.matrices[:, :3, 3] - X_start.position
     assert np.abs(np.cross(offsets, way)).max() < 1e-14

@@ -79,8 +79,8 @@ def test_bounds_hold_everywhere(way: list[Interval]) -> None:
     rows = law.at(inside)
     numbers = [(one.length, one.speed, one.acceleration, one.jerk) for one in way]
     length, speed, acceleration, _ = np.array(numbers)[rows.path_segments].T
-    assert (rows.places >= 0.0).all()
-    assert (rows.places <= length).all()
+    assert (rows.parameters >= 0.0).all()
+    assert (rows.parameters <= length).all()
     assert (rows.speeds >= 0.0).all()
     assert (rows.speeds <= speed * (1.0 + ROUNDING)).all()
     assert (np.abs(rows.accelerations) <= acceleration * (1.0 + ROUNDING)).all()
@@ -123,7 +123,9 @@ def test_place_speed_and_acceleration_go_on_from_segment_to_segment(way: list[In
 def test_the_motion_never_goes_back(way: list[Interval]) -> None:
     law = plan_time_law(way)
     rows = law.at(np.linspace(0.0, law.duration, 2001))
-    gone = np.concatenate([[0.0], np.cumsum([one.length for one in way])])[rows.path_segments] + rows.places
+    gone = (
+        np.concatenate([[0.0], np.cumsum([one.length for one in way])])[rows.path_segments] + rows.parameters
+    )
     assert (np.diff(rows.path_segments) >= 0).all()
     assert (np.diff(gone) >= -BOUNDS * gone[-1]).all()
 
@@ -137,7 +139,7 @@ def test_one_piece_is_the_rest_to_rest_profile(length: float, v: float, a: float
     )
     assert abs(law.duration - profile.duration) <= BOUNDS * profile.duration
     t = np.linspace(0.0, profile.duration, 101)
-    assert np.abs(law.at(t).places - evaluate(profile, t)[0]).max() <= BOUNDS * length
+    assert np.abs(law.at(t).parameters - evaluate(profile, t)[0]).max() <= BOUNDS * length
 
 
 @settings(max_examples=examples(100), derandomize=True)
@@ -282,7 +284,9 @@ def test_times_of_places_lead_back_to_the_places(way: list[Interval], shares: li
         # Where the motion runs fast, a time that is rounded is a place that is rounded.
         slack = BOUNDS * one.length + 4.0 * np.spacing(law.duration) * one.speed
         found = np.where(
-            rows.path_segments == piece, rows.places, np.where(rows.path_segments > piece, one.length, 0.0)
+            rows.path_segments == piece,
+            rows.parameters,
+            np.where(rows.path_segments > piece, one.length, 0.0),
         )
         assert (np.abs(found - places) <= slack).all()
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.motion import Effort, JointPoints, Ways, no_ways
+from ropsim.motion import Effort, JointPoints, PathMotion, no_path_motion
 from ropsim.spatial import Array
 
 
@@ -33,8 +33,8 @@ class Waves:
         dd = -(self._size * self._circular**2 * np.sin(angle)).sum(axis=1)
         return JointPoints(q, d * r1, dd * r1**2 + d * r2)
 
-    def ways(self, phi: Array) -> Ways:
-        return no_ways(len(phi))
+    def path_motion(self, phi: Array) -> PathMotion:
+        return no_path_motion(len(phi))
 
 
 class Passing:
@@ -51,8 +51,8 @@ class Passing:
         dd = np.hstack((np.zeros_like(r), -2.0 * y / (b * (1.0 + y**2)) ** 2))
         return JointPoints(q, d * r1, dd * r1**2 + d * r2)
 
-    def ways(self, phi: Array) -> Ways:
-        return no_ways(len(phi))
+    def path_motion(self, phi: Array) -> PathMotion:
+        return no_path_motion(len(phi))
 
 
 def rest_to_rest(phi: Array, duration: float) -> tuple[Array, Array, Array]:

@@ -18,7 +18,7 @@ from ropsim.spatial import Array
 
 _SLACK = 1e-9
 """Share of a control tick by which a motion may be longer than whole ticks, for rounding."""
-_move, _piece = maker(TimedMove), maker(TimedSegment)
+_move, _path_segment = maker(TimedMove), maker(TimedSegment)
 
 
 def standing(
@@ -42,7 +42,7 @@ def in_ticks(
     planned_moves: Sequence[PlannedMove],
     zones: Sequence[float],
     timing: Timing,
-    kept: RetimedTrajectory,
+    retimed: RetimedTrajectory,
     findings: Sequence[Diagnostic],
 ) -> MotionPlan:
     """Return the plan of a motion; it takes over the rows of the motion and writes its end there.
@@ -52,11 +52,11 @@ def in_ticks(
         planned_moves: the moves.
         zones: that are flown at their ends [m].
         timing: of the sequence.
-        kept: its motion within the limits of the joints, at all ticks of whole interpolation ticks.
+        retimed: its motion within the limits of the joints, at all ticks of whole interpolation ticks.
         findings: on the moves.
     """
-    period, phi = chain.controller.rates.control_period, kept.phi[1:]
-    reference = _to_rest(kept.rows, planned_moves[-1].q_end, Ticks(period).count(kept.clock.duration))
+    period, phi = chain.controller.rates.control_period, retimed.phi[1:]
+    reference = _to_rest(retimed.rows, planned_moves[-1].q_end, Ticks(period).count(retimed.clock.duration))
     at, ends = (
         np.empty((len(timing.path_segment_ends) + len(timing.sections), 2)),
         np.empty(len(planned_moves) - 1),
@@ -71,17 +71,17 @@ def in_ticks(
         triggers: tuple[PlannedTrigger, ...] = ()
         if move.triggers:
             along, q = planned.coordination, reference.q[max(first - 1, 0) : last]
-            q = np.concatenate((kept.rows.q[:1], q)) if first == 0 else q
+            q = np.concatenate((retimed.rows.q[:1], q)) if first == 0 else q
             achieved = AchievedPath(chain.robot, X_MT, q, along.frame if along else None)
             triggers, result = trigger_ticks(move, achieved, first, period)
             found += result
         of_tool = planned.tool is not None
         moves.append(_move(move, X_MT, planned_move.q_end, last, zone, triggers, planned.limits, of_tool))
-    path_segments, blends = _pieces(timing, at.astype(np.int64).tolist())
-    return MotionPlan(tuple(moves), path_segments, kept.rows.q[0], reference, period, tuple(found), blends)
+    path_segments, blends = _path_segments(timing, at.astype(np.int64).tolist())
+    return MotionPlan(tuple(moves), path_segments, retimed.rows.q[0], reference, period, tuple(found), blends)
 
 
-def _pieces(
+def _path_segments(
     timing: Timing, ticks: Sequence[Sequence[int]]
 ) -> tuple[tuple[TimedSegment, ...], tuple[tuple[int, int], ...]]:
     """Return the path segments, and the ways round blends and the overlaps in order of time.
@@ -96,7 +96,9 @@ def _pieces(
         for path_segment in section.part.path_segments:
             (first, last), along = ticks[number], path_segment.coordination
             path_segments.append(
-                _piece(path_segment.tool, path_segment.X_MT, first, last, along.frame if along else None)
+                _path_segment(
+                    path_segment.tool, path_segment.X_MT, first, last, along.frame if along else None
+                )
             )
             if path_segment.blend is not None:
                 blends.append((first, last))

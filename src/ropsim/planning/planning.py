@@ -19,7 +19,6 @@ from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.motion_chain import MotionChain
 from ropsim.planning.records.motion_plan import MotionPlan, MotionState
 from ropsim.planning.sequence_checks import (
-    beside_correction,
     beyond_arm,
     check_start,
     correction_refusal,
@@ -27,6 +26,7 @@ from ropsim.planning.sequence_checks import (
     may_take_too_long,
     rest_to_rest_refusal,
     standing_refusal,
+    with_correction,
 )
 from ropsim.planning.sequence_moves import sequence_moves
 from ropsim.planning.stops.chosen_stops import by_joints, by_tool
@@ -107,9 +107,9 @@ def _planned(
             return _too_long(moves, number, alone)
         if refusal := correction_refusal(move):
             return _Hurdle(number, refusal)
-    blends = _corners(chain, moves, findings)
-    walks = segments_of(moves, blends)
-    for path_segments, _ in walks:
+    blends = _blends(chain, moves, findings)
+    joined = segments_of(moves, blends)
+    for path_segments, _ in joined:
         for path_segment in path_segments:
             if path_segment.blend is None and (
                 refusal := standing_refusal(moves[path_segment.move_number], path_segment)
@@ -117,7 +117,7 @@ def _planned(
                 return _Hurdle(path_segment.move_number, refusal)
     rates = chain.controller.rates
     rules, period = TimingRules(TIME_LAWS[chain.time_law], chain.controller.look_ahead), rates.control_period
-    chosen = by_tool(moves, blends, walks, rules)
+    chosen = by_tool(moves, blends, joined, rules)
     findings += (hint for one in chosen.stops for hint in stopped(moves[one].move, Stop.QUICKER))
     timing = chosen.timing
     if not timing.sections:
@@ -125,21 +125,21 @@ def _planned(
     if late := _late(moves, timing.ends):
         return _too_long(moves, *late)
     bounds = arm_bounds(chain.robot, payload)
-    if infeasible := _infeasible(moves, chosen.corners, state.q, chain.robot, bounds.joints):
+    if infeasible := _infeasible(moves, chosen.blends, state.q, chain.robot, bounds.joints):
         return infeasible
     if any(move.move.tracking for move in moves):
-        bounds = beside_correction(bounds)
+        bounds = with_correction(bounds)
     by_joint_limits = by_joints(moves, chosen, bounds, Ticks(period, rates.interpolation_ticks), rules)
     findings += (hint for one in by_joint_limits.stops for hint in stopped(moves[one].move, Stop.SLOWED))
-    timing, kept = by_joint_limits.keeping.timing, by_joint_limits.keeping.kept
-    if isinstance(kept, Infeasible):
-        number = move_at(timing.ends, kept.phi)
-        return _Hurdle(number, beyond_refusal(moves[number], kept, chain.robot))
-    if late := _late(moves, kept.clock.times_of(timing.ends).tolist()):
+    timing, retimed = by_joint_limits.retiming.timing, by_joint_limits.retiming.retimed
+    if isinstance(retimed, Infeasible):
+        number = move_at(timing.ends, retimed.phi)
+        return _Hurdle(number, beyond_refusal(moves[number], retimed, chain.robot))
+    if late := _late(moves, retimed.clock.times_of(timing.ends).tolist()):
         return _Hurdle(late[0], Refusal(check_duration(moves[late[0]].move, late[1])))
-    findings += slowed_findings(moves, timing.ends, by_joint_limits.keeping.slowed, chain.robot)
-    zones = achieved_zones(chain.robot, moves, by_joint_limits.corners, by_joint_limits.keeping.motion)
-    return in_ticks(chain, moves, zones, timing, kept, findings)
+    findings += slowed_findings(moves, timing.ends, by_joint_limits.retiming.slowed, chain.robot)
+    zones = achieved_zones(chain.robot, moves, by_joint_limits.blends, by_joint_limits.retiming.motion)
+    return in_ticks(chain, moves, zones, timing, retimed, findings)
 
 
 def _infeasible(
@@ -186,8 +186,8 @@ def _late(moves: list[PlannedMove], ends: Sequence[float]) -> tuple[int, float] 
 
 def _too_long(moves: list[PlannedMove], number: int, duration: float) -> _Hurdle:
     """Return M513 for a move that lasts too long [s], or for the neighbour that makes its blend slow."""
-    beside = range(max(number - 1, 0), min(number + 2, len(moves)))
-    slowest = max(beside, key=lambda one: (_time_alone(moves[one]), one == number))
+    neighbours = range(max(number - 1, 0), min(number + 2, len(moves)))
+    slowest = max(neighbours, key=lambda one: (_time_alone(moves[one]), one == number))
     return _Hurdle(slowest, Refusal(check_duration(moves[slowest].move, duration)))
 
 
@@ -216,14 +216,14 @@ def _time_alone(move: PlannedMove) -> float:
         if move.tool
         else joint_path_limits(move.joints, limits.joints)
     )
-    way = sum(stage.length for stage in path_limits)
-    cruise = sum(stage.length / max(stage.speed, _SMALLEST) for stage in path_limits)
-    acceleration = max(_SMALLEST, *(stage.acceleration for stage in path_limits))
-    jerk = max(_SMALLEST, *(stage.jerk for stage in path_limits))
-    return max(cruise, math.sqrt(4.0 * way / acceleration), math.cbrt(32.0 * way / jerk))
+    length = sum(limit.length for limit in path_limits)
+    cruise = sum(limit.length / max(limit.speed, _SMALLEST) for limit in path_limits)
+    acceleration = max(_SMALLEST, *(limit.acceleration for limit in path_limits))
+    jerk = max(_SMALLEST, *(limit.jerk for limit in path_limits))
+    return max(cruise, math.sqrt(4.0 * length / acceleration), math.cbrt(32.0 * length / jerk))
 
 
-def _corners(chain: MotionChain, moves: list[PlannedMove], findings: list[Diagnostic]) -> list[Blend | None]:
+def _blends(chain: MotionChain, moves: list[PlannedMove], findings: list[Diagnostic]) -> list[Blend | None]:
     """Return the rounded blends between moves, None where the arm stops or where nothing moves."""
     blends: list[Blend | None] = []
     for before, behind in pairwise(moves):

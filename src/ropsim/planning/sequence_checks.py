@@ -86,12 +86,12 @@ def correction_refusal(planned_move: PlannedMove) -> Refusal | None:
     return Refusal((finding,))
 
 
-def beside_correction(bounds: ArmBounds) -> ArmBounds:
+def with_correction(bounds: ArmBounds) -> ArmBounds:
     """Return the joint limits for a move itself if a correction is added to it."""
     joints = bounds.joints
     speed, acceleration = joints.speed * PLANNED_SPEED, joints.acceleration * PLANNED_ACCELERATION
-    kept = replace(joints, speed=speed, acceleration=acceleration)
-    return replace(bounds, joints=kept)
+    lowered = replace(joints, speed=speed, acceleration=acceleration)
+    return replace(bounds, joints=lowered)
 
 
 def beyond_arm(moves: Sequence[PlannedMove], robot: RobotModel) -> tuple[Diagnostic, ...]:
@@ -126,7 +126,7 @@ def _beyond(move: PlannedMove, speed: float, bound: float) -> Diagnostic:
     )
 
 
-_PLACES = np.linspace(0.0, 1.0, 33)
+_SHARES = np.linspace(0.0, 1.0, 33)
 _SPARE = 2.0
 """Multiple of the range of a joint that bounds its travel between two path parameters."""
 _NOTHING = 1e-12
@@ -171,9 +171,11 @@ def may_take_too_long(robot: RobotModel, bounds: JointBounds) -> bool:
         robot: the arm.
         bounds: capabilities of its joints.
     """
-    way = _SPARE * (robot.upper_limits - robot.lower_limits)
-    rises = np.maximum(np.sqrt(4.0 * way / bounds.acceleration), np.cbrt(32.0 * way / bounds.jerk))
-    longest = np.maximum((len(_PLACES) - 1) * way / bounds.speed, rises)
+    distances = _SPARE * (robot.upper_limits - robot.lower_limits)
+    rises = np.maximum(
+        np.sqrt(4.0 * distances / bounds.acceleration), np.cbrt(32.0 * distances / bounds.jerk)
+    )
+    longest = np.maximum((len(_SHARES) - 1) * distances / bounds.speed, rises)
     return not bool((longest <= MAX_DURATION).all())
 
 
@@ -186,8 +188,8 @@ def joints_refusal(move: PlannedMove, speeds: Array) -> Refusal | None:
     """
     if move.tool is None or move.joints is None:
         return None
-    ways = np.abs(np.diff(move.joints.joints(_PLACES * move.joints.length).q, axis=0)).sum(axis=0)
-    found = check_duration(move.move, float((ways / speeds).max()))
+    distances = np.abs(np.diff(move.joints.joints(_SHARES * move.joints.length).q, axis=0)).sum(axis=0)
+    found = check_duration(move.move, float((distances / speeds).max()))
     return Refusal(found) if found else None
 
 
@@ -208,9 +210,9 @@ def rest_to_rest_refusal(
         the number of the move in which that joint goes furthest, and the refusal; None where there is time.
     """
     ends = np.array([q_start, *(move.q_end for move in moves)])
-    way = np.abs(ends[-1] - q_start)
-    rises = np.sqrt(4.0 * way / bounds.acceleration), np.cbrt(32.0 * way / bounds.jerk)
-    times = np.maximum(way / bounds.speed, np.maximum(*rises))
+    distances = np.abs(ends[-1] - q_start)
+    rises = np.sqrt(4.0 * distances / bounds.acceleration), np.cbrt(32.0 * distances / bounds.jerk)
+    times = np.maximum(distances / bounds.speed, np.maximum(*rises))
     number = int(np.abs(np.diff(ends[:, int(np.argmax(times))])).argmax())
     found = check_duration(moves[number].move, float(times.max()) / len(moves))
     return (number, Refusal(found)) if found else None

@@ -7,7 +7,7 @@ from ropsim.flow import MoveInstruction
 from ropsim.planning.moves.planned_move import PlannedMove, planned_moves
 from ropsim.planning.postures.path_conflicts import conflict_of, conflict_of_refusal
 from ropsim.planning.postures.posture_search import has_choice, search
-from ropsim.planning.postures.requested_conflict import in_the_way, last_request, without_request
+from ropsim.planning.postures.requested_conflict import conflict_with_request, last_request, without_request
 from ropsim.planning.records.conflict import Conflict
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.motion_chain import MotionChain
@@ -61,7 +61,7 @@ def _explained(
     free, _ = _chosen(chain, without_request(moves[: refused + 1], requested), q_start)
     if len(free) <= refused:
         return planned
-    said = in_the_way(chain.robot, planned[requested], free[requested], conflicts[0])
+    said = conflict_with_request(chain.robot, planned[requested], free[requested], conflicts[0])
     return [
         *planned[:requested],
         replace(planned[requested], findings=planned[requested].findings + said),

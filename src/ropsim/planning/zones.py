@@ -23,19 +23,19 @@ _SAME = 1e-6
 """Share by which the zone that is flown may be smaller than the commanded one without a word."""
 
 
-def clipped(move: MoveInstruction, corner: Blend) -> tuple[Diagnostic, ...]:
+def clipped(move: MoveInstruction, blend: Blend) -> tuple[Diagnostic, ...]:
     """Return M562 where less than the commanded zone is flown.
 
     Args:
         move: that commands the zone.
-        corner: that is flown; where motions overlap, its zone is the most that may be flown.
+        blend: that is flown; where motions overlap, its zone is the most that may be flown.
     """
-    wanted, zone = move.modal.zone, corner.zone
+    wanted, zone = move.modal.zone, blend.zone
     if zone >= wanted * (1.0 - _SAME):
         return ()
     shown = f"{zone * 1e3:.3g} mm, half of the shorter way beside it"
-    if isinstance(corner, JointSpaceBlend):
-        shorter = f" and {corner.shorter * 1e3:.3g} mm" if corner.shorter < zone * (1.0 - _SAME) else ""
+    if isinstance(blend, JointSpaceBlend):
+        shorter = f" and {blend.shorter * 1e3:.3g} mm" if blend.shorter < zone * (1.0 - _SAME) else ""
         shown = f"at most {zone * 1e3:.3g} mm{shorter}, half of the ways beside it"
     finding = ZONE_CLIPPED.at(
         move.origin.span,

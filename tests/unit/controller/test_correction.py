@@ -20,7 +20,7 @@ from ropsim.flow import JointReference, PathTracking, ToolDirection
 from ropsim.kinematics import forward
 from ropsim.model import CorrectionLimits, Payload
 from ropsim.planning import PLANNED_ACCELERATION, PLANNED_SPEED, Sample, StandardPathCorrector, arm_bounds
-from ropsim.planning.sequence_checks import beside_correction
+from ropsim.planning.sequence_checks import with_correction
 from ropsim.spatial import Pose
 
 PERIOD = 4e-3
@@ -180,7 +180,7 @@ def test_a_correction_takes_its_share_of_the_speeds_and_accelerations_of_the_joi
 
 def test_what_a_move_leaves_to_a_correction_is_speed_and_acceleration_and_all_else_is_as_before() -> None:
     bounds = arm_bounds(ROBOT, Payload())
-    kept = beside_correction(bounds)
+    kept = with_correction(bounds)
     assert kept.joints.speed == pytest.approx(PLANNED_SPEED * ROBOT.max_speeds)
     assert kept.joints.acceleration == pytest.approx(PLANNED_ACCELERATION * ROBOT.max_accelerations)
     back = replace(kept.joints, speed=bounds.joints.speed, acceleration=bounds.joints.acceleration)

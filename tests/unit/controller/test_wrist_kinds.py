@@ -49,7 +49,7 @@ def drawn(kind: MotionKind, seed: int) -> tuple[Array, MoveInstruction, list[Arr
 def knots(leg: PlannedMove) -> Array:
     """Return the places of the points of a move, shape (k,)."""
     assert isinstance(leg.tool, WristPath)
-    way = leg.tool.way
+    way = leg.tool.path
     return way.knots if isinstance(way, Curve) else np.array([0.0, way.length])
 
 

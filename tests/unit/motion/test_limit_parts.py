@@ -7,19 +7,19 @@ from ropsim.motion import (
     Infeasible,
     JointBounds,
     JointPoints,
+    PathMotion,
     ProfileError,
     Quantity,
-    Ways,
-    demand,
-    keep_limits,
-    no_ways,
+    constraint_rows,
+    no_path_motion,
+    retime,
     time_optimal,
 )
 from ropsim.motion.retiming import utilisation_kernel as strain_kernel
 from ropsim.motion.retiming.binding import binding_constraint, rates_needed
 from ropsim.motion.retiming.fastest import Speeds
-from ropsim.motion.retiming.grid import places_of
-from ropsim.motion.retiming.utilisation import Going, strain, utilisation_as_planned, with_torque
+from ropsim.motion.retiming.grid import grid_points_of
+from ropsim.motion.retiming.utilisation import Going, utilisation_as_planned, utilisation_of_rows, with_torque
 from ropsim.spatial import Array
 from support.motions import Passing, Waves, body
 
@@ -28,7 +28,7 @@ BOUNDS = JointBounds(np.array([2.0]), np.array([4.0]), np.array([100.0]), np.arr
 
 def test_acceleration_that_does_not_begin_and_end_at_0_is_jerk_at_the_first_and_last_tick() -> None:
     rows = JointPoints(np.zeros((4, 1)), np.zeros((4, 1)), np.array([[1.0], [1.0], [1.0], [3.0]]))
-    used = strain(rows, None, BOUNDS, 0.01).used
+    used = utilisation_of_rows(rows, None, BOUNDS, 0.01).used
     assert used[2] == pytest.approx([1.0, 0.0, 0.0, 3.0])
 
 
@@ -39,14 +39,14 @@ def test_the_rows_of_strains_are_those_of_the_quantities() -> None:
 
 def test_strains_are_shares_of_each_bound() -> None:
     rows = JointPoints(np.zeros((1, 1)), np.array([[-1.0]]), np.array([[2.0]]))
-    used = strain(rows, np.array([[-4.0]]), BOUNDS, 0.1).used
+    used = utilisation_of_rows(rows, np.array([[-4.0]]), BOUNDS, 0.1).used
     assert used[:, 0] == pytest.approx([0.5, 0.5, 0.2, 0.8])
 
 
 def test_the_joint_that_uses_most_counts() -> None:
     rows = JointPoints(np.zeros((1, 2)), np.array([[1.0, -3.0]]), np.array([[-2.0, 1.0]]))
     bounds = JointBounds(np.full(2, 2.0), np.full(2, 4.0), np.full(2, 100.0))
-    assert strain(rows, None, bounds, 0.1).used[:, 0] == pytest.approx([1.5, 0.5, 0.2, 0.0])
+    assert utilisation_of_rows(rows, None, bounds, 0.1).used[:, 0] == pytest.approx([1.5, 0.5, 0.2, 0.0])
 
 
 def going(d1: Array, d2: Array, rates: Array, changes: Array, still: Array) -> Going:
@@ -54,7 +54,7 @@ def going(d1: Array, d2: Array, rates: Array, changes: Array, still: Array) -> G
     times = np.arange(float(len(d1)))
     course = np.stack((times, rates, changes))
     points = JointPoints(np.zeros((len(d1), 1)), d1[:, None], d2[:, None])
-    return Going(points, no_ways(len(d1)), course, times, still)
+    return Going(points, no_path_motion(len(d1)), course, times, still)
 
 
 def test_jerk_of_the_path_is_a_lack_of_rate_and_that_of_the_course_one_of_width() -> None:
@@ -63,10 +63,10 @@ def test_jerk_of_the_path_is_a_lack_of_rate_and_that_of_the_course_one_of_width(
     rows = JointPoints(np.zeros((4, 1)), np.zeros((4, 1)), 0.1 * step[:, None])  # jerk is 2 of 1
     bounds = JointBounds(np.array([9.0]), np.array([9.0]), np.array([1.0]))
     none = np.empty((4, 0))
-    of_path = strain(rows, None, bounds, 1.0, going(steady, step, steady, nothing, none)).lacks
+    of_path = utilisation_of_rows(rows, None, bounds, 1.0, going(steady, step, steady, nothing, none)).lacks
     assert of_path[0] == pytest.approx(np.log(2.0) / 3.0 * np.array([0.0, 0.0, 1.0, 1.0]))
     assert not of_path[1:].any()
-    of_course = strain(rows, None, bounds, 1.0, going(steady, nothing, steady, step, none)).lacks
+    of_course = utilisation_of_rows(rows, None, bounds, 1.0, going(steady, nothing, steady, step, none)).lacks
     assert of_course[2] == pytest.approx(np.log(2.0) * np.array([0.0, 0.0, 1.0, 1.0]))
     assert of_course[1] == pytest.approx(0.2 * of_course[2])
     assert not of_course[[0, 3]].any()
@@ -77,10 +77,10 @@ def test_of_a_torque_that_is_too_much_only_what_gravity_leaves_can_be_given_up()
     still = np.array([[4.0], [3.0], [2.0]])
     ones, nothing = np.ones(3), np.zeros(3)
     held = going(ones, nothing, ones, nothing, still)
-    found = strain(rows, np.array([[0.0], [6.0], [0.0]]), BOUNDS, 1.0, held, 0.1)
+    found = utilisation_of_rows(rows, np.array([[0.0], [6.0], [0.0]]), BOUNDS, 1.0, held, 0.1)
     assert found.peaks == pytest.approx([0.0, 0.0, 0.0, (6.0 - 3.0) / (5.0 - 3.0)])
     assert found.lacks[3] == pytest.approx([0.0, np.log(1.5) + 0.1, np.log(1.5) + 0.1])
-    assert not found.is_kept
+    assert not found.is_within_limits
 
 
 def test_a_steady_jerk_needs_the_cube_root_of_what_it_is_too_much() -> None:
@@ -88,7 +88,7 @@ def test_a_steady_jerk_needs_the_cube_root_of_what_it_is_too_much() -> None:
     places = np.arange(1.0, 6.0)
     points = JointPoints(*(8.0 * column[:, None] for column in (places**3 / 6.0, places**2 / 2.0, places)))
     bounds = JointBounds(np.array([1e9]), np.array([1e9]), np.array([1.0]))
-    assert rates_needed(demand(points, bounds, None), places, 1e-6) == pytest.approx(np.full(5, 0.5))
+    assert rates_needed(constraint_rows(points, bounds, None), places, 1e-6) == pytest.approx(np.full(5, 0.5))
 
 
 def test_places_are_close_where_the_speed_that_a_joint_allows_changes_steeply() -> None:
@@ -101,11 +101,11 @@ def test_places_are_close_where_the_speed_that_a_joint_allows_changes_steeply() 
             d1 = np.exp(-(((phi - 1.0) / 0.1) ** 2))[:, None] * 50.0
             return JointPoints(np.zeros((len(phi), 1)), d1, np.zeros((len(phi), 1)))
 
-        def ways(self, phi: Array) -> Ways:
-            return no_ways(len(phi))
+        def path_motion(self, phi: Array) -> PathMotion:
+            return no_path_motion(len(phi))
 
     bounds = JointBounds(np.ones(1), np.ones(1), np.ones(1))
-    places, points = places_of(Rush(), bounds, 0.1, np.array([0.0, 2.0]), np.ones(2))
+    places, points = grid_points_of(Rush(), bounds, 0.1, np.array([0.0, 2.0]), np.ones(2))
     allowed = 1.0 / np.maximum(np.abs(points.d1[:, 0]), 1.0)
     assert np.abs(np.diff(np.log(allowed))).max() < 0.5
     assert len(places) < 200
@@ -115,7 +115,7 @@ def test_places_are_close_where_the_speed_that_a_joint_allows_changes_steeply() 
 def test_strains_that_are_no_numbers_are_told_with_their_tick(wrong: float) -> None:
     rows = JointPoints(np.zeros((3, 1)), np.zeros((3, 1)), np.array([[0.0], [wrong], [0.0]]))
     with pytest.raises(ProfileError, match="at tick 1, allowed are finite numbers"):
-        strain(rows, None, BOUNDS, 1.0)
+        utilisation_of_rows(rows, None, BOUNDS, 1.0)
 
 
 def turning(q: Array, qd: Array, qdd: Array) -> Array:
@@ -127,9 +127,9 @@ def test_at_the_rate_that_is_needed_speed_acceleration_and_torque_are_on_their_b
     motion = Waves(np.random.default_rng(1), 1, 2.0, 1.0, 1.0)
     places, endless = np.linspace(0.3, 1.7, 50), np.full(1, np.inf)
     points = motion.at(places)
-    by_speed = demand(points, JointBounds(BOUNDS.speed, endless, endless), None)
-    by_acceleration = demand(points, JointBounds(endless, BOUNDS.acceleration, endless), None)
-    by_torque = demand(points, JointBounds(endless, endless, endless, BOUNDS.effort), turning)
+    by_speed = constraint_rows(points, JointBounds(BOUNDS.speed, endless, endless), None)
+    by_acceleration = constraint_rows(points, JointBounds(endless, BOUNDS.acceleration, endless), None)
+    by_torque = constraint_rows(points, JointBounds(endless, endless, endless, BOUNDS.effort), turning)
     w, v, u = (
         np.array([binding_constraint(asked, places, 1e-3, k, k + 1).rate for k in range(50)])[:, None]
         for asked in (by_speed, by_acceleration, by_torque)
@@ -148,7 +148,7 @@ def test_the_neediest_limit_is_that_of_a_search(seed: int) -> None:
     places = np.cumsum(10.0 ** random.uniform(-4.0, -1.0, m))
     speed, acceleration, jerk = 10.0 ** random.uniform(-1.0, 1.0, (3, n))
     bounds = JointBounds(speed, acceleration, jerk, random.uniform(1.5, 3.0, n))
-    asked = demand(points, bounds, turning)
+    asked = constraint_rows(points, bounds, turning)
     steps = np.abs(np.diff(points.d2, axis=0))
     lasting = np.cbrt(bounds.jerk * np.diff(places)[:, None] / steps)
     between = np.maximum(lasting, np.sqrt(bounds.jerk * period / steps))
@@ -168,7 +168,7 @@ def test_the_neediest_limit_is_that_of_a_search(seed: int) -> None:
         assert need.rate == pytest.approx(among.min(), rel=1e-12)
         assert (need.quantity, need.joint) == (tuple(Quantity)[kind], joint)
         beside = range(begin + place, begin + place + 2)  # a jerk is of two places
-        assert need.place in (beside if need.quantity is Quantity.JERK else beside[:1])
+        assert need.point in (beside if need.quantity is Quantity.JERK else beside[:1])
     by_speed_and_jerk = np.minimum(rates[::2].min(axis=(0, 2)), 1.0)
     assert rates_needed(asked, places, period) == pytest.approx(by_speed_and_jerk, rel=1e-12)
 
@@ -176,7 +176,7 @@ def test_the_neediest_limit_is_that_of_a_search(seed: int) -> None:
 def test_places_are_dense_where_a_joint_goes_far_within_less_than_a_tick() -> None:
     motion = Passing(3.0, 1e-4)
     bounds = JointBounds(np.array([2.0, 3.0]), np.array([10.0, 30.0]), np.array([100.0, 300.0]))
-    places, points = places_of(motion, bounds, 4e-3, np.array([0.0, 3.0]), np.ones(2))
+    places, points = grid_points_of(motion, bounds, 4e-3, np.array([0.0, 3.0]), np.ones(2))
     way = np.abs(np.diff(points.q, axis=0))
     assert (motion.at(places).q == points.q).all()
     assert (way <= 1.5 * 4e-3 * bounds.speed * (1.0 + 1e-9)).all()
@@ -186,7 +186,7 @@ def test_places_are_dense_where_a_joint_goes_far_within_less_than_a_tick() -> No
 def test_a_torque_below_minus_the_bound_is_told_by_its_size() -> None:
     motion = Passing(3.0, 0.5)
     bounds = JointBounds(np.full(2, 0.1), np.full(2, 9.0), np.full(2, 99.0), np.full(2, 5.0))
-    found = keep_limits(motion, bounds, lambda q, _qd, qdd: qdd - 6.0 + 0.0 * q, 1e-3)
+    found = retime(motion, bounds, lambda q, _qd, qdd: qdd - 6.0 + 0.0 * q, 1e-3)
     assert isinstance(found, Infeasible)
     assert (found.joint, found.value, found.limit) == (0, 6.0, 5.0)
 
@@ -239,14 +239,16 @@ def on_its_bounds(factor: float) -> tuple[JointPoints, JointBounds]:
 def test_a_motion_that_is_on_its_bounds_goes_on_at_its_own_rate_bit_by_bit() -> None:
     points, bounds = on_its_bounds(1.0 + 4e-10)
     ones = np.ones(200)
-    x = Speeds(demand(points, bounds, None), np.full(199, 1e-3)).under(ones, ones, ones, ones)
+    x = Speeds(constraint_rows(points, bounds, None), np.full(199, 1e-3)).under(ones, ones, ones, ones)
     assert (x == 1.0).all()
 
 
 def test_a_motion_that_is_beyond_its_bounds_is_slowed_to_them_but_for_rounding() -> None:
     points, bounds = on_its_bounds(2.0)
     ones = np.ones(200)
-    x = Speeds(demand(points, bounds, None), np.full(199, 1e-3)).under(ones, ones, ones, ones)[:, None]
+    x = Speeds(constraint_rows(points, bounds, None), np.full(199, 1e-3)).under(ones, ones, ones, ones)[
+        :, None
+    ]
     u = np.diff(x, axis=0) / 2e-3
     for ends in (slice(None, -1), slice(1, None)):
         asked = np.abs(points.d1[ends] * u + points.d2[ends] * x[ends])
@@ -259,7 +261,7 @@ def test_what_a_plan_uses_is_what_it_uses_gone_at_its_own_rate(ticks: int, n: in
     rows, torque = JointPoints(*random.normal(size=(3, ticks, n))), random.normal(size=(ticks, n))
     rows.d2[-1] *= 9.0  # the joints rest behind it
     bounds = JointBounds(*random.uniform(0.5, 2.0, (4, n)))
-    whole = strain(rows, torque, bounds, 0.01)
+    whole = utilisation_of_rows(rows, torque, bounds, 0.01)
     plain = utilisation_as_planned(rows, bounds, 0.01)
     assert plain.used[:3] == pytest.approx(whole.used[:3], rel=1e-15)
     assert not plain.used[3].any()

@@ -56,12 +56,12 @@ def blend_curve(before: ToolPath, s_leave: float, after: ToolPath, s_enter: floa
         the corner, or why there is none: the TCP stands, the turn is more than 170° or has a cusp, or the
         tool would whirl.
     """
-    ways = before.length - s_leave, s_enter
-    if not min(ways) > STANDS:
+    lengths = before.length - s_leave, s_enter
+    if not min(lengths) > STANDS:
         return BlendFault.NO_LENGTH
     first, last = before.tool(np.array([s_leave])), after.tool(np.array([s_enter]))
     coefficients, middles = np.empty((1, 6, 6)), np.empty((1, 3, 3))
-    state, ends, inverse = np.array(ways), np.empty(BLEND_STEPS + 1), np.empty((BLEND_STEPS, 6))
+    state, ends, inverse = np.array(lengths), np.empty(BLEND_STEPS + 1), np.empty((BLEND_STEPS, 6))
     rules = Rules(series(), *quadrature(), SWING, BLEND_STEPS)
     out = BlendRows(coefficients, middles, ends, inverse)
     blend_curve_rows(rules, _end(first), _end(last), BlendWork.of(BLEND_STEPS), out, state)
@@ -70,8 +70,10 @@ def blend_curve(before: ToolPath, s_leave: float, after: ToolPath, s_enter: floa
         return _FAULTS[came]
     coefficients.flags.writeable = middles.flags.writeable = False
     even = steps == BLEND_STEPS
-    way = ArcLength(ends, inverse, steps) if even else arc_length_in_steps(coefficients, steps)
-    return Curve(coefficients, middles, way)
+    arc_length_of_curve = (
+        ArcLength(ends, inverse, steps) if even else arc_length_in_steps(coefficients, steps)
+    )
+    return Curve(coefficients, middles, arc_length_of_curve)
 
 
 def _end(points: ToolPoints) -> PathEnd:

@@ -6,10 +6,10 @@ from typing import NamedTuple
 import numpy as np
 
 from ropsim.codegen import Array1, Array2, Array3, kernel
-from ropsim.motion.curves.curve_kernel import rate_rows, speed_range, turning_rows, way_of_steps
+from ropsim.motion.curves.curve_kernel import arc_length_of_steps, rate_rows, speed_range, turning_rows
 from ropsim.spatial import Array
 
-LOOKS = 64
+SAMPLES = 64
 """Steps in which the turn of the tool and the speed of the polynomials are looked at."""
 MADE, NO_LENGTH, TURNS_BACK, WHIRLS = range(4)
 """What became of a corner."""
@@ -29,7 +29,7 @@ class Rules(NamedTuple):
 
     Attributes:
         series: `rotation_vector.series`.
-        points: of the quadrature, as for `way_of_steps`.
+        points: of the quadrature, as for `arc_length_of_steps`.
         weights: likewise.
         swing: ds/du at the ends of a blend that does not turn, as a multiple of the distance to its corner.
         steps: of the arc length, for a blend of even speed.
@@ -62,14 +62,14 @@ class BlendWork(NamedTuple):
     Attributes:
         matrices: shape (2, 4, 4).
         rates: shape (5, 6).
-        room: shape (15, 3).
-        places: shape (3·steps + 3,), at least 2·`LOOKS` + 2.
+        buffer: shape (15, 3).
+        parameters: shape (3·steps + 3,), at least 2·`SAMPLES` + 2.
     """
 
     matrices: Array3
     rates: Array2
-    room: Array2
-    places: Array1
+    buffer: Array2
+    parameters: Array1
 
     @classmethod
     def of(cls, steps: int) -> "BlendWork":
@@ -83,7 +83,7 @@ class BlendRows(NamedTuple):
     Attributes:
         coefficients: of u⁰ to u⁵, shape (1, 6, 6).
         middles: the orientation that rotation vectors count from, shape (1, 3, 3).
-        ends: of the arc length, as for `way_of_steps`, if the steps suffice.
+        ends: of the arc length, as for `arc_length_of_steps`, if the steps suffice.
         inverse: likewise.
     """
 
@@ -109,7 +109,7 @@ def blend_curve_rows(
             the number of steps that it needs: these or four times as many, shape (2,).
     """
     series, points, weights, swing, steps = rules
-    matrices, rates, room, places = work
+    matrices, rates, buffer, parameters = work
     coefficients, middles, ends, inverse = out
     d1, d2, scales, speeds = rates[0:2], rates[2:4], rates[4, 0:2], rates[4:5, 2:4]
     for i in range(4):
@@ -128,17 +128,17 @@ def blend_curve_rows(
         return
     scales[0], scales[1] = scale * state[0], scale * state[1]
     slowest = SLOWEST * min(scales[0], scales[1])
-    blend_polynomials(series, matrices, d1, d2, scales, room, coefficients, middles, state)
+    blend_polynomials(series, matrices, d1, d2, scales, buffer, coefficients, middles, state)
     if not state[0] <= FULL_TURN:
         state[0] = WHIRLS
         return
-    speed_range(coefficients, LOOKS, places, speeds)
+    speed_range(coefficients, SAMPLES, parameters, speeds)
     if not speeds[0, 0] > slowest:
         state[0] = TURNS_BACK
         return
     count = 4 * steps if speeds[0, 0] < UNEVEN * speeds[0, 1] else steps
     if count == inverse.shape[0]:
-        way_of_steps(coefficients, count, points, weights, places, ends, inverse)
+        arc_length_of_steps(coefficients, count, points, weights, parameters, ends, inverse)
     state[0], state[1] = MADE, count
 
 
@@ -218,8 +218,8 @@ def _quintic(C: Array, column: int, x: float, v: float, a: float, y: float, w: f
 def _greatest_turn(C: Array) -> float:
     """Return the greatest length of rotation vectors where it is looked; NaN where one is none."""
     greatest = 0.0
-    for sample in range(LOOKS + 1):
-        u, square = sample / LOOKS, 0.0
+    for sample in range(SAMPLES + 1):
+        u, square = sample / SAMPLES, 0.0
         for i in range(3, 6):
             value = 0.0
             for k in range(5, -1, -1):

@@ -6,13 +6,13 @@ import numpy as np
 
 from ropsim.motion.blends.zone_kernel import (
     DEGREE,
-    LOOK_COUNT,
-    LOOK_FOUND,
-    LOOK_SQUARES,
-    LOOK_STATE,
-    LOOK_WAYS,
-    MOST_LOOKS,
-    look_further,
+    FOUND_PARAMETER,
+    MOST_SAMPLES,
+    SAMPLE_COUNT,
+    SAMPLE_PARAMETERS,
+    SAMPLE_SQUARES,
+    SEARCH_STATE,
+    next_samples,
 )
 from ropsim.spatial import Array, frozen
 
@@ -36,7 +36,7 @@ def leave(positions: Callable[[Array], Array], length: float, zone: float, clip:
         the place in [clip, length] behind which the path stays within the zone; `clip` where it does so from
         there on, `length` where there is no zone. On lines exact within rounding, else to 1e-8 of the zone.
     """
-    return length - _way_out(lambda way: positions(length - way), zone, length - clip)
+    return length - _first_exit(lambda distance: positions(length - distance), zone, length - clip)
 
 
 def enter(positions: Callable[[Array], Array], length: float, zone: float, clip: float) -> float:
@@ -52,19 +52,19 @@ def enter(positions: Callable[[Array], Array], length: float, zone: float, clip:
         the place in [0, clip] before which the path stays within the zone; `clip` where it does so up to
         there, 0 where there is no zone. On lines exact within rounding, else to 1e-8 of the zone.
     """
-    return _way_out(positions, zone, min(clip, length))
+    return _first_exit(positions, zone, min(clip, length))
 
 
-def _way_out(positions: Callable[[Array], Array], zone: float, clip: float) -> float:
+def _first_exit(positions: Callable[[Array], Array], zone: float, clip: float) -> float:
     """Return the first way at which the distance from the place at way 0 is `zone`, at most `clip`."""
-    samples, state, centre = np.empty((3, MOST_LOOKS)), np.zeros(LOOK_STATE), np.zeros(3)
-    look_further(ZONE_SHARES, ZONE_NODES, zone, clip, samples, state)
+    samples, state, centre = np.empty((3, MOST_SAMPLES)), np.zeros(SEARCH_STATE), np.zeros(3)
+    next_samples(ZONE_SHARES, ZONE_NODES, zone, clip, samples, state)
     first = True
-    while count := int(state[LOOK_COUNT]):
-        places = positions(samples[LOOK_WAYS, :count].copy())
-        centre = places[0] if first else centre
+    while count := int(state[SAMPLE_COUNT]):
+        found = positions(samples[SAMPLE_PARAMETERS, :count].copy())
+        centre = found[0] if first else centre
         # the square of the distance is also smooth at the centre, and on a line a parabola
-        samples[LOOK_SQUARES, :count] = np.sum(np.square(places - centre), axis=1)
-        look_further(ZONE_SHARES, ZONE_NODES, zone, clip, samples, state)
+        samples[SAMPLE_SQUARES, :count] = np.sum(np.square(found - centre), axis=1)
+        next_samples(ZONE_SHARES, ZONE_NODES, zone, clip, samples, state)
         first = False
-    return float(state[LOOK_FOUND])
+    return float(state[FOUND_PARAMETER])

@@ -6,17 +6,17 @@ It requests distances: the caller evaluates the path at the requested path param
 from ropsim.codegen import Array1, Array2, kernel
 from ropsim.spatial import Array
 
-LOOK_WAYS, LOOK_SQUARES, KEPT = range(3)
+SAMPLE_PARAMETERS, SAMPLE_SQUARES, EXCESS = range(3)
 """Rows of looks: path parameters to evaluate, squares of the distances found there, and squares kept from
 before."""
-LOOK_COUNT, LOOK_FOUND, PHASE, FIRST, PEAK, LOW, WIDTH, SHARE, SLOPE, MENDED, LOOK_STATE = range(11)
+SAMPLE_COUNT, FOUND_PARAMETER, PHASE, FIRST, PEAK, LOW, WIDTH, SHARE, SLOPE, MENDED, SEARCH_STATE = range(11)
 """State: number of path parameters to evaluate next, 0 at the end; then the result. The rest belongs to the
 search."""
 BEGINS, COARSELY, CLOSELY, BETWEEN, MENDS = range(5)
 """Phases: no data yet, or the meaning of the squares."""
 AT_ONCE, AT_ONCE_THEN = 20, 8
 """Numbers of path parameters in the first evaluations of the grid, and in later ones: few zones reach far."""
-MOST_LOOKS = 65
+MOST_SAMPLES = 65
 """Maximum number of path parameters of a close evaluation."""
 DEGREE = 8
 NEAR = -0.2
@@ -29,7 +29,7 @@ STEPS = 60
 
 
 @kernel
-def look_further(
+def next_samples(
     shares: Array1, nodes: Array2, zone: float, clip: float, samples: Array2, state: Array1
 ) -> None:
     """Take the squares of the distances that were requested, and request the next ones.
@@ -39,21 +39,21 @@ def look_further(
     the zone the path may leave it: where it comes near the border, it is evaluated closely.
 
     Args:
-        shares: of the farthest path parameter that are evaluated first, rising from 0, at most `MOST_LOOKS`,
+        shares: of the farthest path parameter, evaluated first, rising from 0, at most `MOST_SAMPLES`,
             shape (g,).
         nodes: shares of an interval, and below the matrix from values there to coefficients, shape (10, 9).
         zone: distance from the place at way 0 [m].
         clip: the farthest way.
         samples: rows as above; the squares [m²] of as many path parameters as were requested, shape (3,
-            `MOST_LOOKS`).
-        state: of the search, as above; zeros at first, shape (`LOOK_STATE`,).
+            `MOST_SAMPLES`).
+        state: of the search, as above; zeros at first, shape (`SEARCH_STATE`,).
     """
     phase, square = int(state[PHASE]), zone * zone
     if phase == BEGINS:
         if zone <= 0.0 or clip <= 0.0:
             _end(0.0, state)
         else:
-            _look_at_grid(shares, 0, min(AT_ONCE, shares.shape[0]), clip, samples, state)
+            _sample_grid(shares, 0, min(AT_ONCE, shares.shape[0]), clip, samples, state)
     elif phase == COARSELY:
         _take_grid(shares, nodes, square, clip, samples, state)
     elif phase == CLOSELY:
@@ -61,29 +61,29 @@ def look_further(
     elif phase == BETWEEN:
         _take_nodes(nodes, square, samples, state)
     else:
-        off = samples[LOOK_SQUARES, 0] - square
+        off = samples[SAMPLE_SQUARES, 0] - square
         state[SHARE] = min(max(state[SHARE] - off / state[SLOPE], 0.0), 1.0)
         state[MENDED] += 1.0
         if abs(off) <= QUITE * square or state[MENDED] == MOST_MENDS:
             _end(state[LOW] + state[WIDTH] * state[SHARE], state)
         else:
-            _look_once(samples, state)
+            _sample_once(samples, state)
 
 
 def _take_grid(shares: Array, nodes: Array, square: float, clip: float, samples: Array, state: Array) -> None:
     """Go on from squares of the grid: with the next of it where all are within the zone."""
-    begin, count = int(state[FIRST]), int(state[LOOK_COUNT])
+    begin, count = int(state[FIRST]), int(state[SAMPLE_COUNT])
     first = begin
     for i in range(count):
-        samples[KEPT, begin + i] = samples[LOOK_SQUARES, i] - square
-        if first == begin + i and not samples[KEPT, first] >= 0.0:
+        samples[EXCESS, begin + i] = samples[SAMPLE_SQUARES, i] - square
+        if first == begin + i and not samples[EXCESS, first] >= 0.0:
             first += 1
     state[FIRST] = first
     if first == begin + count and first < shares.shape[0]:
         last = min(first + AT_ONCE_THEN, shares.shape[0])
-        _look_at_grid(shares, first, last, clip, samples, state)
+        _sample_grid(shares, first, last, clip, samples, state)
     else:
-        _look_closely(shares, nodes, square, clip, samples, state)
+        _sample_closely(shares, nodes, square, clip, samples, state)
 
 
 def _take_close(
@@ -91,13 +91,13 @@ def _take_close(
 ) -> None:
     """Go on from squares around a peak: with where the path leaves there, or with the next peak."""
     at = 0
-    while at < MOST_LOOKS and not samples[LOOK_SQUARES, at] - square >= 0.0:
+    while at < MOST_SAMPLES and not samples[SAMPLE_SQUARES, at] - square >= 0.0:
         at += 1
-    if at < MOST_LOOKS:
-        low = samples[LOOK_WAYS, max(at - 1, 0)]
-        _look_between(nodes, low, samples[LOOK_WAYS, max(at, 1)] - low, samples, state)
+    if at < MOST_SAMPLES:
+        low = samples[SAMPLE_PARAMETERS, max(at - 1, 0)]
+        _sample_between(nodes, low, samples[SAMPLE_PARAMETERS, max(at, 1)] - low, samples, state)
     else:
-        _look_closely(shares, nodes, square, clip, samples, state)
+        _sample_closely(shares, nodes, square, clip, samples, state)
 
 
 def _take_nodes(nodes: Array, square: float, samples: Array, state: Array) -> None:
@@ -105,62 +105,62 @@ def _take_nodes(nodes: Array, square: float, samples: Array, state: Array) -> No
     for k in range(DEGREE + 1):
         total = 0.0
         for i in range(DEGREE + 1):
-            total += nodes[1 + k, i] * (samples[LOOK_SQUARES, i] - square)
-        samples[KEPT, k] = total
-    state[SHARE] = _root(samples[KEPT])
-    state[SLOPE] = _slope(samples[KEPT], state[SHARE])
+            total += nodes[1 + k, i] * (samples[SAMPLE_SQUARES, i] - square)
+        samples[EXCESS, k] = total
+    state[SHARE] = _root(samples[EXCESS])
+    state[SLOPE] = _slope(samples[EXCESS], state[SHARE])
     if state[SLOPE] > 0.0:
-        _look_once(samples, state)
+        _sample_once(samples, state)
     else:
         _end(state[LOW] + state[WIDTH] * state[SHARE], state)
 
 
-def _look_at_grid(shares: Array, first: int, last: int, clip: float, samples: Array, state: Array) -> None:
+def _sample_grid(shares: Array, first: int, last: int, clip: float, samples: Array, state: Array) -> None:
     """Request the path parameters of the grid from one to another."""
-    state[PHASE], state[LOOK_COUNT], state[FIRST] = COARSELY, last - first, first
+    state[PHASE], state[SAMPLE_COUNT], state[FIRST] = COARSELY, last - first, first
     for i in range(last - first):
-        samples[LOOK_WAYS, i] = shares[first + i] * clip
+        samples[SAMPLE_PARAMETERS, i] = shares[first + i] * clip
 
 
-def _look_closely(
+def _sample_closely(
     shares: Array, nodes: Array, square: float, clip: float, samples: Array, state: Array
 ) -> None:
     """Request path parameters around the next peak, or between the last one inside and the first outside."""
     first, peak = int(state[FIRST]), int(state[PEAK]) + 1
     while peak < first - 1:
-        here = samples[KEPT, peak]
-        if here >= samples[KEPT, peak - 1] and here >= samples[KEPT, peak + 1] and here > NEAR * square:
+        here = samples[EXCESS, peak]
+        if here >= samples[EXCESS, peak - 1] and here >= samples[EXCESS, peak + 1] and here > NEAR * square:
             break
         peak += 1
     state[PEAK] = peak
     if peak < first - 1:
         begin, end = shares[peak - 1] * clip, shares[peak + 1] * clip
-        state[PHASE], state[LOOK_COUNT] = CLOSELY, MOST_LOOKS
-        for i in range(MOST_LOOKS):
-            samples[LOOK_WAYS, i] = begin + i * ((end - begin) / (MOST_LOOKS - 1))
+        state[PHASE], state[SAMPLE_COUNT] = CLOSELY, MOST_SAMPLES
+        for i in range(MOST_SAMPLES):
+            samples[SAMPLE_PARAMETERS, i] = begin + i * ((end - begin) / (MOST_SAMPLES - 1))
     elif first == shares.shape[0]:
         _end(clip, state)
     else:
         low = shares[first - 1] * clip
-        _look_between(nodes, low, shares[first] * clip - low, samples, state)
+        _sample_between(nodes, low, shares[first] * clip - low, samples, state)
 
 
-def _look_between(nodes: Array, low: float, width: float, samples: Array, state: Array) -> None:
+def _sample_between(nodes: Array, low: float, width: float, samples: Array, state: Array) -> None:
     """Request the path parameters at the nodes of an interval."""
-    state[PHASE], state[LOOK_COUNT], state[LOW], state[WIDTH] = BETWEEN, DEGREE + 1, low, width
+    state[PHASE], state[SAMPLE_COUNT], state[LOW], state[WIDTH] = BETWEEN, DEGREE + 1, low, width
     for i in range(DEGREE + 1):
-        samples[LOOK_WAYS, i] = low + width * nodes[0, i]
+        samples[SAMPLE_PARAMETERS, i] = low + width * nodes[0, i]
 
 
-def _look_once(samples: Array, state: Array) -> None:
+def _sample_once(samples: Array, state: Array) -> None:
     """Request the present path parameter."""
-    state[PHASE], state[LOOK_COUNT] = MENDS, 1.0
-    samples[LOOK_WAYS, 0] = state[LOW] + state[WIDTH] * state[SHARE]
+    state[PHASE], state[SAMPLE_COUNT] = MENDS, 1.0
+    samples[SAMPLE_PARAMETERS, 0] = state[LOW] + state[WIDTH] * state[SHARE]
 
 
-def _end(way: float, state: Array) -> None:
+def _end(s: float, state: Array) -> None:
     """End the search."""
-    state[LOOK_FOUND], state[LOOK_COUNT] = way, 0.0
+    state[FOUND_PARAMETER], state[SAMPLE_COUNT] = s, 0.0
 
 
 def _slope(coefficients: Array, x: float) -> float:

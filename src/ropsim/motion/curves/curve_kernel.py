@@ -142,7 +142,7 @@ def speed_range(coefficients: Array3, steps: int, work: Array1, out: Array2) -> 
 
 
 @kernel
-def way_of_steps(
+def arc_length_of_steps(
     coefficients: Array3,
     steps: int,
     points: Array1,
@@ -167,28 +167,28 @@ def way_of_steps(
     ends[0] = 0.0
     for segment in range(coefficients.shape[0]):
         C, row = coefficients[segment], segment * steps
-        ways = ends[row + 1 : row + 1 + steps]
+        lengths = ends[row + 1 : row + 1 + steps]
         for step in range(steps):
-            ways[step] = 0.0
+            lengths[step] = 0.0
         for g in range(points.shape[0]):
             for step in range(steps):
                 t[step] = (step + points[g]) / steps
             _write_speeds(C, t[:steps], speeds)
             for step in range(steps):
-                ways[step] += weights[g] * speeds[step]
+                lengths[step] += weights[g] * speeds[step]
         for step in range(steps + 1):
             t[step] = step / steps
         _write_rates(C, t, firsts, seconds)
         for step in range(steps):
-            way = ways[step] / steps
-            v, a = firsts[step] * way, seconds[step] * way * way
-            w, b, gap = firsts[step + 1] * way, seconds[step + 1] * way * way, t[step + 1] - t[step]
+            length = lengths[step] / steps
+            v, a = firsts[step] * length, seconds[step] * length * length
+            w, b, gap = firsts[step + 1] * length, seconds[step + 1] * length * length, t[step + 1] - t[step]
             own = inverse[row + step]
             own[0], own[1], own[2] = t[step], v, 0.5 * a
             own[3] = 10.0 * gap - 6.0 * v - 4.0 * w - 1.5 * a + 0.5 * b
             own[4] = -15.0 * gap + 8.0 * v + 7.0 * w + 1.5 * a - b
             own[5] = 6.0 * gap - 3.0 * (v + w) - 0.5 * (a - b)
-            ends[row + step + 1] = ends[row + step] + way
+            ends[row + step + 1] = ends[row + step] + length
 
 
 def _write_speeds(C: Array, t: Array, out: Array) -> None:

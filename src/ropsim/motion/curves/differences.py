@@ -116,7 +116,7 @@ def _points(matrices: Array, stencil: Array, weights: Array, steps: Array) -> To
 @cache
 def _weights(count: int) -> Array:
     """Return the weights of first and second derivatives at each of `count` rows, shape (2, count, count)."""
-    return frozen([_weights_at(_places(count), count, order) for order in (1, 2)])
+    return frozen([_weights_at(_offsets(count), count, order) for order in (1, 2)])
 
 
 @cache
@@ -135,12 +135,12 @@ def _weights_at(offsets: Array, count: int, order: int) -> Array:
 @cache
 def _lagrange(count: int) -> Array:
     """Return the polynomials that are 1 at one row and 0 at the others, powers by rows, (count, count)."""
-    places = _places(count)
-    others = [np.delete(places, row) for row in range(count)]
+    offsets = _offsets(count)
+    others = [np.delete(offsets, row) for row in range(count)]
     return frozen(
-        np.stack([np.poly(o)[::-1] / np.prod(x - o) for x, o in zip(places, others, strict=True)], axis=1)
+        np.stack([np.poly(o)[::-1] / np.prod(x - o) for x, o in zip(offsets, others, strict=True)], axis=1)
     )
 
 
-def _places(count: int) -> Array:
+def _offsets(count: int) -> Array:
     return np.arange(count, dtype=np.float64) - (count - 1) / 2.0

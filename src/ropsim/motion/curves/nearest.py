@@ -36,11 +36,11 @@ def distances(points: Array, curve: Callable[[Array], tuple[Array, Array, Array]
     Returns:
         distances [m], shape (k,).
     """
-    places = curve(grid)[0]
-    near = _nearest(points, places, np.full(len(points), -_APART - 1))
+    positions = curve(grid)[0]
+    near = _nearest(points, positions, np.full(len(points), -_APART - 1))
     found = _down_from(near, points, curve, grid)
     if len(grid) > 2 * _APART + 1:
-        other = _down_from(_nearest(points, places, near), points, curve, grid)
+        other = _down_from(_nearest(points, positions, near), points, curve, grid)
         found = np.minimum(found, other)
     return found
 
@@ -65,25 +65,25 @@ def _down_from(
     return np.asarray(np.minimum(best, _lengths(curve(t)[0] - points)))
 
 
-def _nearest(points: Array, places: Array, barred: IntArray) -> IntArray:
+def _nearest(points: Array, positions: Array, barred: IntArray) -> IntArray:
     """Return which of the places (m, 3) is nearest to each point (k, 3), shape (k,).
 
     Grid places next to the barred one of a point, shape (k,), do not count.
     """
-    starts = np.arange(0, len(places), _BLOCK)
-    sizes = np.diff(starts, append=len(places))
-    centres = np.add.reduceat(places, starts) / sizes[:, None]
-    radii = np.maximum.reduceat(_lengths(places - np.repeat(centres, sizes, axis=0)), starts)
+    starts = np.arange(0, len(positions), _BLOCK)
+    sizes = np.diff(starts, append=len(positions))
+    centres = np.add.reduceat(positions, starts) / sizes[:, None]
+    radii = np.maximum.reduceat(_lengths(positions - np.repeat(centres, sizes, axis=0)), starts)
     at_once = max(1, _PAIRS // len(starts))
     nearest = [
-        _nearest_in_blocks(points[k : k + at_once], places, centres, radii, barred[k : k + at_once])
+        _nearest_in_blocks(points[k : k + at_once], positions, centres, radii, barred[k : k + at_once])
         for k in range(0, len(points), at_once)
     ]
     return np.concatenate([*nearest, np.empty(0, np.int64)])
 
 
 def _nearest_in_blocks(
-    points: Array, places: Array, centres: Array, radii: Array, barred: IntArray
+    points: Array, positions: Array, centres: Array, radii: Array, barred: IntArray
 ) -> IntArray:
     bounds = _lengths(points[:, None] - centres) - radii  # no place of the block is nearer
     order = np.argsort(bounds, axis=1)
@@ -95,8 +95,8 @@ def _nearest_in_blocks(
         open_points, block = open_points[is_open], block[is_open]
         if not len(open_points):
             break
-        rows = np.minimum(block[:, None] * _BLOCK + np.arange(_BLOCK), len(places) - 1)
-        lengths = _lengths(places[rows] - points[open_points, None])
+        rows = np.minimum(block[:, None] * _BLOCK + np.arange(_BLOCK), len(positions) - 1)
+        lengths = _lengths(positions[rows] - points[open_points, None])
         lengths[np.abs(rows - barred[open_points, None]) <= _APART] = np.inf
         row = np.argmin(lengths, axis=1)[:, None]
         least = np.take_along_axis(lengths, row, axis=1)[:, 0]

@@ -46,7 +46,7 @@ def largest(coefficients: Array) -> float:
     Args:
         coefficients: of t⁰ to t⁵, shape (..., 6, n).
     """
-    return float(np.linalg.norm(_LOOKS @ coefficients, axis=-1).max())
+    return float(np.linalg.norm(_SAMPLES @ coefficients, axis=-1).max())
 
 
 def powers(t: Array) -> Array:
@@ -61,4 +61,4 @@ def powers(t: Array) -> Array:
 _EXPONENTS = frozen([[1.0], [2.0], [3.0], [4.0], [5.0]])
 
 
-_LOOKS = frozen(powers(np.linspace(0.0, 1.0, 65)))
+_SAMPLES = frozen(powers(np.linspace(0.0, 1.0, 65)))

@@ -20,7 +20,7 @@ def constant_derivatives(path: Path) -> Array | None:
     return found
 
 
-def parameter_is_way(path: ToolPath) -> bool | None:
+def parameter_is_arc_length(path: ToolPath) -> bool | None:
     """Return whether the path parameter is the way of the TCP [m], not an angle; None for another unit."""
     if not _is_own(path):
         return False

@@ -44,7 +44,7 @@ def _line(
 ) -> None:
     """Write coordinates at a path parameter traversed with the speed v and the acceleration a."""
     for j in range(count):
-        way = q_end[j] - q_start[j]
+        displacement = q_end[j] - q_start[j]
         q[j] = (1.0 - s) * q_start[j] + s * q_end[j]
-        qd[j] = way * v
-        qdd[j] = way * a
+        qd[j] = displacement * v
+        qdd[j] = displacement * a

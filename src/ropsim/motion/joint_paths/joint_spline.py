@@ -13,33 +13,33 @@ class JointSpline:
     """q(s), between each two places a polynomial of degree five in the share of the way between them.
 
     Attributes:
-        places: rising, from 0 to the length of the way in its own unit, shape (k,), k >= 2.
+        knots: rising, from 0 to the length of the way in its own unit, shape (k,), k >= 2.
         coefficients: of the powers 0 to 5 of the share [rad | m], shape (k - 1, 6, n).
     """
 
-    places: Array
+    knots: Array
     coefficients: Array
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "places", frozen(self.places))
+        object.__setattr__(self, "knots", frozen(self.knots))
         object.__setattr__(self, "coefficients", frozen(self.coefficients))
 
     @property
     def length(self) -> float:
         """Return the length of the way."""
-        return float(self.places[-1])
+        return float(self.knots[-1])
 
     def joints(self, s: Array) -> JointPoints:
         """Return the joints and their derivatives at places s, shape (k,)."""
-        part = np.clip(np.searchsorted(self.places, s, side="right") - 1, 0, len(self.coefficients) - 1)
-        per_unit = (1.0 / np.diff(self.places))[part, np.newaxis]
-        shares = powers((s - self.places[part]) * per_unit[:, 0])
+        part = np.clip(np.searchsorted(self.knots, s, side="right") - 1, 0, len(self.coefficients) - 1)
+        per_unit = (1.0 / np.diff(self.knots))[part, np.newaxis]
+        shares = powers((s - self.knots[part]) * per_unit[:, 0])
         rows = (shares[:, np.newaxis] @ with_derivatives(self.coefficients)[part])[:, 0]
         q, d1, d2 = np.split(rows, 3, axis=1)
         return JointPoints(q, d1 * per_unit, d2 * per_unit**2)
 
 
-def monotone(places: Array, q: Array) -> JointSpline:
+def monotone(knots: Array, q: Array) -> JointSpline:
     """Return the way through values, twice continuously differentiable, that reverses only at them.
 
     Slopes m and bends c at the knots come from the natural cubic spline, made smaller where a part would
@@ -50,20 +50,20 @@ def monotone(places: Array, q: Array) -> JointSpline:
     three values. Between two values alone it is straight.
 
     Args:
-        places: rising, the first one 0, shape (k,), k >= 2.
+        knots: rising, the first one 0, shape (k,), k >= 2.
         q: joint coordinates there [rad | m], shape (k, n).
 
     References:
         Dougherty, Edelman and Hyman 1989, Nonnegativity-, Monotonicity-, or Convexity-Preserving Cubic and
         Quintic Hermite Interpolation, Mathematics of Computation 52(186), 471-494.
     """
-    h, steps = np.diff(places)[:, np.newaxis], np.diff(q, axis=0)
+    h, steps = np.diff(knots)[:, np.newaxis], np.diff(q, axis=0)
     first, second = natural_derivatives(h[:, 0], steps)
     first = _gentle(h, steps / h, first)
     second = np.clip(second, *_bends(h, steps / h, first))
     begin = np.stack((q[:-1], first[:-1] * h, second[:-1] * h * h), axis=1)
     end = np.stack((q[1:], first[1:] * h, second[1:] * h * h), axis=1)
-    return JointSpline(places, quintics(np.concatenate((begin, end), axis=1)))
+    return JointSpline(knots, quintics(np.concatenate((begin, end), axis=1)))
 
 
 def _gentle(h: Array, mean: Array, first: Array) -> Array:

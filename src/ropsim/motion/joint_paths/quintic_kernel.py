@@ -24,12 +24,12 @@ def traced_points(
     """
     known, n = -1, rows.shape[1]
     for k in range(s.shape[0]):
-        place = s[k] * per_unit
-        row = min(max(int(place), 0), rows.shape[0] - 2)
+        row_parameter = s[k] * per_unit
+        row = min(max(int(row_parameter), 0), rows.shape[0] - 2)
         if row != known:
             known = row
             _between(rows, d1, d2, row, work)
-        _quintics(n, place - row, per_unit, 1.0, 0.0, work, out[0, k], out[1, k], out[2, k])
+        _quintics(n, row_parameter - row, per_unit, 1.0, 0.0, work, out[0, k], out[1, k], out[2, k])
 
 
 @kernel
@@ -63,13 +63,15 @@ def traced_in_time(
     """
     known, n = -1, rows.shape[1]
     for k in range(first, until):
-        place = law[1, k] * per_unit
-        row = min(max(int(place), 0), rows.shape[0] - 2)
+        row_parameter = law[1, k] * per_unit
+        row = min(max(int(row_parameter), 0), rows.shape[0] - 2)
         if row != known:
             known = row
             _between(rows, d1, d2, row, work)
         v, a = law[2, k], law[3, k]
-        _quintics(n, place - row, per_unit, v, a, work, total[0, at + k], total[1, at + k], total[2, at + k])
+        _quintics(
+            n, row_parameter - row, per_unit, v, a, work, total[0, at + k], total[1, at + k], total[2, at + k]
+        )
 
 
 def _between(rows: Array, d1: Array, d2: Array, row: int, work: Array) -> None:

@@ -84,9 +84,9 @@ class Refined:
         length = self.parts[number].length
         width, n = _SEAM * length, self._seams[number].shape[2] // 3
         added = np.zeros((3, len(s), n))
-        for seam, way, inwards in zip(self._seams[number], (s, length - s), (1.0, -1.0), strict=True):
-            near = np.flatnonzero(way < width)
-            rows = powers(way[near] / width) @ seam
+        for seam, offset, inwards in zip(self._seams[number], (s, length - s), (1.0, -1.0), strict=True):
+            near = np.flatnonzero(offset < width)
+            rows = powers(offset[near] / width) @ seam
             scales = 1.0, inwards / width, 1.0 / width**2
             for order, scale in enumerate(scales):
                 added[order, near] += scale * rows[:, order * n : (order + 1) * n]

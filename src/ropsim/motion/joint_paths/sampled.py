@@ -48,10 +48,10 @@ class SampledPath:
     def joints(self, s: Array) -> JointPoints:
         """Return the joints and their derivatives at places s, shape (k,)."""
         count, n = self.q.shape
-        room, out = np.empty((COEFFICIENTS, n)), np.empty((3, len(s), n))
+        work, out = np.empty((COEFFICIENTS, n)), np.empty((3, len(s), n))
         per_unit = (count - 1) / self.length
         d1, d2 = self.derivatives
-        traced_points(self.q, d1, d2, per_unit, np.ascontiguousarray(s), room, out)
+        traced_points(self.q, d1, d2, per_unit, np.ascontiguousarray(s), work, out)
         return JointPoints(out[0], out[1], out[2])
 
     def path_rows(self, begin: float) -> PathRows:

@@ -103,8 +103,8 @@ class Arc:
 
     def _at(self, angles: Array) -> Array:
         versines = 2.0 * np.square(np.sin(angles / 2.0))
-        way = np.sin(angles)[:, None] * self.tangent + versines[:, None] * self.inward
-        return np.asarray(self.start + self.radius * way)
+        offsets = np.sin(angles)[:, None] * self.tangent + versines[:, None] * self.inward
+        return np.asarray(self.start + self.radius * offsets)
 
 
 def arc(

@@ -4,11 +4,11 @@ from functools import cache
 
 import numpy as np
 
-from ropsim.motion.curves.curve_kernel import speed_range, way_of_steps
+from ropsim.motion.curves.curve_kernel import arc_length_of_steps, speed_range
 from ropsim.spatial import Array, frozen, record
 
 _POINTS = 5  # of Gauss and Legendre in each step
-_LOOK = 64  # steps in which the speed of a segment is sampled
+_SAMPLED_STEPS = 64  # steps in which the speed of a segment is sampled
 _UNEVEN = 0.45  # least speed in a segment by its greatest; below, steps are four times as fine
 
 
@@ -51,7 +51,7 @@ def arc_length(coefficients: Array, steps: int, least: Array) -> ArcLength | Non
         Press, Teukolsky, Vetterling and Flannery 2007, Numerical Recipes, section 4.6, for the quadrature.
     """
     speeds = np.empty((len(coefficients), 2))
-    speed_range(coefficients, _LOOK, np.empty(2 * _LOOK + 2), speeds)
+    speed_range(coefficients, _SAMPLED_STEPS, np.empty(2 * _SAMPLED_STEPS + 2), speeds)
     if not (speeds[:, 0] > least).all():
         return None
     if (speeds[:, 0] < _UNEVEN * speeds[:, 1]).any():
@@ -63,7 +63,7 @@ def arc_length_in_steps(coefficients: Array, steps: int) -> ArcLength:
     """Return the way along a curve that nowhere stands, with as many steps of each segment."""
     count = len(coefficients) * steps
     ends, inverse = np.empty(count + 1), np.empty((count, 6))
-    way_of_steps(coefficients, steps, *quadrature(), np.empty(3 * steps + 3), ends, inverse)
+    arc_length_of_steps(coefficients, steps, *quadrature(), np.empty(3 * steps + 3), ends, inverse)
     return ArcLength(ends, inverse, steps)
 
 

@@ -14,7 +14,7 @@ from ropsim.spatial import Array, frozen, record
 _EVERY = 4  # steps of the arc length from one place of the grid to the next
 _GRID = 16, 512  # least and most steps of each segment in the search for the nearest place
 _STEP = 1e-3  # [m] of that search between, so that sections that come near each other are distinguished
-_PLACES = 200_000  # at most, of all segments together
+_MOST_POINTS = 200_000  # at most, of all segments together
 
 
 @record
@@ -28,12 +28,12 @@ class Curve:
     Attributes:
         coefficients: of t⁰ to t⁵ in p [m] and θ [rad], shape (c, 6, 6).
         middles: R_middle in the reference frame, shape (c, 3, 3).
-        way: of the TCP.
+        arc_length: of the TCP.
     """
 
     coefficients: Array
     middles: Array
-    way: ArcLength
+    arc_length: ArcLength
 
     def __post_init__(self) -> None:
         for name in ("coefficients", "middles"):
@@ -49,12 +49,12 @@ class Curve:
     @property
     def length(self) -> float:
         """Return the way of the TCP [m]."""
-        return self.way.length
+        return self.arc_length.length
 
     @property
     def knots(self) -> Array:
         """Return the places at which segments begin and end [m], rising from 0, shape (c + 1,)."""
-        return self.way.ends[:: self.way.steps]
+        return self.arc_length.ends[:: self.arc_length.steps]
 
     def own_grid(self) -> Array:
         """Return places that are even in the parameter of the polynomials, shape (m,).
@@ -62,19 +62,26 @@ class Curve:
         So they are close where the curve nearly reverses, and four times as close on curves with segments of
         uneven speed.
         """
-        return self.way.ends[::_EVERY]
+        return self.arc_length.ends[::_EVERY]
 
     @property
     def numbers(self) -> tuple[Array, Array, Array, int, Array, Array]:
         """Return the data of the curve for `curve_points`."""
-        way = self.way
-        return series(), way.ends, way.inverse, way.steps, self.coefficients, self.middles
+        arc_length = self.arc_length
+        return (
+            series(),
+            arc_length.ends,
+            arc_length.inverse,
+            arc_length.steps,
+            self.coefficients,
+            self.middles,
+        )
 
     def tool(self, s: Array) -> ToolPoints:
         """Return the tool and its derivatives at places s, shape (k,)."""
         points = ToolPoints(np.empty((len(s), 4, 4)), np.empty((len(s), 6)), np.empty((len(s), 6)))
-        places = np.ascontiguousarray(s)
-        curve_points(*self.numbers, places, points.matrices, points.d1, points.d2)
+        parameters = np.ascontiguousarray(s)
+        curve_points(*self.numbers, parameters, points.matrices, points.d1, points.d2)
         return points
 
     def positions(self, s: Array) -> Array:
@@ -84,7 +91,7 @@ class Curve:
     def distance(self, points: Array) -> Array:
         """Return how far points, shape (k, 3) [m], are from the way of the TCP, shape (k,) [m]."""
         count = len(self.middles)
-        wanted = min(math.ceil(self.length / count / _STEP), _PLACES // count)
+        wanted = min(math.ceil(self.length / count / _STEP), _MOST_POINTS // count)
         steps = min(max(wanted, _GRID[0]), _GRID[1])
         return distances(points, self._by_parameter, np.arange(count * steps + 1) / steps)
 

@@ -10,12 +10,12 @@ from ropsim.motion.curves.path import ToolPoints
 from ropsim.motion.curves.segment_kernel import segment_distances
 from ropsim.motion.paths.line_kernel import (
     AXIS,
+    DISPLACEMENT,
     LINE_LENGTH,
     LINE_SIZE,
     MOVES,
     ROLL,
     VELOCITY,
-    WAY,
     line_numbers,
     straight_points,
 )
@@ -56,9 +56,9 @@ class Line:
         object.__setattr__(self, "length", length)
 
     @property
-    def way(self) -> Array:
+    def displacement(self) -> Array:
         """Return the way from start to end [m], shape (3,)."""
-        return self.numbers[WAY : WAY + 3]
+        return self.numbers[DISPLACEMENT : DISPLACEMENT + 3]
 
     @property
     def axis(self) -> Array:
@@ -71,7 +71,12 @@ class Line:
         if not self.length or self.numbers[ROLL] != 0.0:
             return None
         share = 1.0 / self.length
-        return np.concatenate((self.numbers[WAY : WAY + 3], self.numbers[VELOCITY : VELOCITY + 3])) * share
+        return (
+            np.concatenate(
+                (self.numbers[DISPLACEMENT : DISPLACEMENT + 3], self.numbers[VELOCITY : VELOCITY + 3])
+            )
+            * share
+        )
 
     @property
     def has_straight_tcp(self) -> bool:
@@ -82,8 +87,8 @@ class Line:
         """Return the tool and its derivatives at places s, shape (k,)."""
         count = len(s)
         points = ToolPoints(np.empty((count, 4, 4)), np.empty((count, 6)), np.empty((count, 6)))
-        places = np.ascontiguousarray(s, dtype=np.float64)
-        straight_points(self.numbers, places, points.matrices, points.d1, points.d2)
+        parameters = np.ascontiguousarray(s, dtype=np.float64)
+        straight_points(self.numbers, parameters, points.matrices, points.d1, points.d2)
         return points
 
     def positions(self, s: Array) -> Array:
@@ -111,6 +116,6 @@ def enter_distances(
         points: in the reference frame of the lines [m], shape (k, 3).
         distances: output [m], shape (k,); entries of other points stay unchanged.
     """
-    numbers = np.concatenate([part for one in lines for part in (one.X_start.position, one.way)])
+    numbers = np.concatenate([part for one in lines for part in (one.X_start.position, one.displacement)])
     rows = np.array(spans, dtype=np.float64)
     segment_distances(numbers.reshape(-1, 6), rows, np.ascontiguousarray(points), distances)

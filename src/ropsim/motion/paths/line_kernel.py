@@ -14,7 +14,7 @@ from ropsim.spatial import Array
 ROUNDING = 1e-14
 """A turn between equal orientations is that of the rounding of their product [rad]."""
 
-START, END, WAY, SWINGS, VELOCITY, R_END, AXIS, ANGLE, ROLL, LINE_LENGTH, MOVES, LINE_SIZE = (
+START, END, DISPLACEMENT, SWINGS, VELOCITY, R_END, AXIS, ANGLE, ROLL, LINE_LENGTH, MOVES, LINE_SIZE = (
     0, 3, 6, 9, 36, 39, 48, 51, 52, 53, 54, 55,
 )  # fmt: skip
 """Where the numbers of a line begin: positions of both ends and the way between them [m], R_start·(I, K, K²)
@@ -39,15 +39,15 @@ def line_numbers(
     """
     square = 0.0
     for i in range(3):
-        out[START + i], out[END + i], out[WAY + i] = start[i], end[i], end[i] - start[i]
-        square += out[WAY + i] * out[WAY + i]
+        out[START + i], out[END + i], out[DISPLACEMENT + i] = start[i], end[i], end[i] - start[i]
+        square += out[DISPLACEMENT + i] * out[DISPLACEMENT + i]
     turn_between(turned_start, turned_end, drives, out[AXIS : ROLL + 1])
     size = hypot(out[ANGLE], out[ROLL])
     if not size > ROUNDING:
         out[ANGLE], out[ROLL], size = 0.0, 0.0, 0.0
-    way = sqrt(square)
-    out[MOVES] = 1.0 if way > STANDS else 0.0
-    out[LINE_LENGTH] = way if way > STANDS else size if size > STILL else 0.0
+    distance = sqrt(square)
+    out[MOVES] = 1.0 if distance > STANDS else 0.0
+    out[LINE_LENGTH] = distance if distance > STANDS else size if size > STILL else 0.0
     _write_rotation(turned_end, out[R_END:AXIS])
     R = out[SWINGS : SWINGS + 9]
     _write_rotation(turned_start, R)
@@ -83,7 +83,7 @@ def straight_points(numbers: Array1, s: Array1, matrices: Array3, d1: Array2, d2
         rising, versine = _rodrigues(r * numbers[ANGLE])
         for i in range(3):
             X[i, 3] = (1.0 - r) * numbers[START + i] + r * numbers[END + i]
-            d1[k, i], d2[k, i] = numbers[WAY + i] * share, 0.0
+            d1[k, i], d2[k, i] = numbers[DISPLACEMENT + i] * share, 0.0
             d1[k, 3 + i], d2[k, 3 + i] = numbers[VELOCITY + i] * share, 0.0
             for j in range(3):
                 at = SWINGS + 3 * i + j

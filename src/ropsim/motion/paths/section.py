@@ -52,6 +52,6 @@ class ToolSection:
         """Return how far points, shape (k, 3) [m], are from the way of the TCP, shape (k,) [m]."""
         return distances(points, self._curve, np.linspace(self.begin, self.end, self.grid + 1))
 
-    def _curve(self, places: Array) -> tuple[Array, Array, Array]:
-        rows = self.path.tool(places)
+    def _curve(self, s: Array) -> tuple[Array, Array, Array]:
+        rows = self.path.tool(s)
         return rows.matrices[:, :3, 3], rows.d1[:, :3], rows.d2[:, :3]

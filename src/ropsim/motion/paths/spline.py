@@ -52,8 +52,8 @@ def spline(poses: Sequence[Pose]) -> Curve | SplineFault:
     if not (np.abs(positions) <= FARTHEST).all():  # NaN is not either
         return SplineFault.NOT_FINITE
     rotations = np.array([pose.rotation() for pose in poses]).reshape(-1, 3, 3)
-    kept = _differs_from_the_one_before(positions, rotations)
-    positions, rotations = positions[kept], rotations[kept]
+    different = _differs_from_the_one_before(positions, rotations)
+    positions, rotations = positions[different], rotations[different]
     if len(positions) < 2:
         return SplineFault.TOO_FEW
     steps, halves = np.diff(positions, axis=0), _turns(rotations) / 2.0
@@ -66,10 +66,10 @@ def spline(poses: Sequence[Pose]) -> Curve | SplineFault:
     coefficients = quintics(np.concatenate((begin, end), axis=1))
     if not largest(coefficients[..., 3:]) <= FULL_TURN:
         return SplineFault.WHIRLS
-    way = arc_length(coefficients, _STEPS, _SLOWEST * chords)
-    if way is None:
+    length_of_curve = arc_length(coefficients, _STEPS, _SLOWEST * chords)
+    if length_of_curve is None:
         return SplineFault.TURNS_BACK
-    return Curve(coefficients, rotations[:-1] @ exponentials(halves), way)
+    return Curve(coefficients, rotations[:-1] @ exponentials(halves), length_of_curve)
 
 
 def _differs_from_the_one_before(positions: Array, rotations: Array) -> npt.NDArray[np.bool_]:

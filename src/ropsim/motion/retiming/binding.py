@@ -11,62 +11,67 @@ from ropsim.spatial import Array
 
 
 @dataclass(frozen=True, slots=True)
-class Need:
+class BindingConstraint:
     """The lowest rate that one limit of one joint needs.
 
     Attributes:
         quantity: that is limited.
-        place: index of the place.
+        point: index of the place.
         joint: index of the joint.
         rate: constant rate that would just keep the limit there.
     """
 
     quantity: Quantity
-    place: int
+    point: int
     joint: int
     rate: float
 
 
-def rates_needed(demand: ConstraintRows, places: Array, period: float) -> Array:
+def rates_needed(constraints: ConstraintRows, grid_phi: Array, period: float) -> Array:
     """Return the constant rates, at most 1, that would just keep the limits of speed and jerk, (m,).
 
     Args:
-        demand: constraint rows of the plan at the grid points.
-        places: nominal times [s], shape (m,).
+        constraints: constraint rows of the plan at the grid points.
+        grid_phi: nominal times [s], shape (m,).
         period: of the control ticks [s].
     """
-    inverse, rates = 1.0 / np.array([demand.bounds.speed, demand.bounds.jerk]), np.empty(len(places))
-    rates_within(*_rows(demand), places, inverse, period, rates)
+    inverse, rates = (
+        1.0 / np.array([constraints.bounds.speed, constraints.bounds.jerk]),
+        np.empty(len(grid_phi)),
+    )
+    rates_within(*_rows(constraints), grid_phi, inverse, period, rates)
     return rates
 
 
-def binding_constraint(demand: ConstraintRows, places: Array, period: float, begin: int, end: int) -> Need:
+def binding_constraint(
+    constraints: ConstraintRows, grid_phi: Array, period: float, begin: int, end: int
+) -> BindingConstraint:
     """Return the binding constraint, with the lowest rate, among some grid points.
 
     With the rate w, speeds scale by w, accelerations and the motion-dependent part of torques by w², jerk by
     w³; where acceleration is not steady, its step in one control tick by w².
 
     Args:
-        demand: constraint rows of the plan at the grid points.
-        places: nominal times [s], shape (m,).
+        constraints: constraint rows of the plan at the grid points.
+        grid_phi: nominal times [s], shape (m,).
         period: of the control ticks [s].
         begin: index of the first checked grid point.
         end: index of the place behind the last one.
     """
-    points, bounds, torque = demand.points, demand.bounds, demand.still
+    points, bounds, torque = constraints.points, constraints.bounds, constraints.still
     limits = np.full((len(Quantity), len(bounds.speed)), np.inf)
     limits[:3] = bounds.speed, bounds.acceleration, bounds.jerk
-    if demand.effort is not None and bounds.effort is not None:
+    if constraints.effort is not None and bounds.effort is not None:
         limits[3] = bounds.effort
         here = slice(begin, end)
-        torque = torques(demand.effort, points.q[here], points.d1[here], points.d2[here])
+        torque = torques(constraints.effort, points.q[here], points.d1[here], points.d2[here])
     found = np.zeros(4)
-    torque, still = np.ascontiguousarray(torque), np.ascontiguousarray(demand.still)
-    least_rate(*_rows(demand), torque, still, places, limits, period, begin, end, found)
-    kind, place, joint = found[:3].astype(int).tolist()
-    return Need(tuple(Quantity)[kind], place, joint, float(found[3]))
+    torque, still = np.ascontiguousarray(torque), np.ascontiguousarray(constraints.still)
+    least_rate(*_rows(constraints), torque, still, grid_phi, limits, period, begin, end, found)
+    kind, point, joint = found[:3].astype(int).tolist()
+    return BindingConstraint(tuple(Quantity)[kind], point, joint, float(found[3]))
 
 
-def _rows(demand: ConstraintRows) -> tuple[Array, Array]:
+def _rows(constraints: ConstraintRows) -> tuple[Array, Array]:
     """Return the first and second derivatives of the joints by nominal time, shape (m, n)."""
-    return np.ascontiguousarray(demand.points.d1), np.ascontiguousarray(demand.points.d2)
+    return np.ascontiguousarray(constraints.points.d1), np.ascontiguousarray(constraints.points.d2)

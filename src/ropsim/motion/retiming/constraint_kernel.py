@@ -38,7 +38,9 @@ _TINY = 1e-300
 
 
 @kernel
-def rates_within(d1: Array2, d2: Array2, places: Array1, inverse: Array2, period: float, out: Array1) -> None:
+def rates_within(
+    d1: Array2, d2: Array2, grid_phi: Array1, inverse: Array2, period: float, out: Array1
+) -> None:
     """Write the constant rates, at most 1, at which the joints just keep their limits of speed and jerk.
 
     With the rate w, speeds scale by w and jerk by w³; where acceleration is not steady, its step in one
@@ -47,7 +49,7 @@ def rates_within(d1: Array2, d2: Array2, places: Array1, inverse: Array2, period
     Args:
         d1: first derivatives by nominal time, shape (m, n).
         d2: second ones, shape (m, n).
-        places: nominal times [s], rising, shape (m,).
+        grid_phi: nominal times [s], rising, shape (m,).
         inverse: of the limits of speed and jerk, shape (2, n).
         period: of the control ticks [s].
         out: becomes the rates, shape (m,).
@@ -61,8 +63,8 @@ def rates_within(d1: Array2, d2: Array2, places: Array1, inverse: Array2, period
         for j in range(d1.shape[1] if i < last else 0):
             step = max(step, abs(d2[i + 1, j] - d2[i, j]) * inverse[1, j])
         behind = 1.0
-        if i < last and step > places[i + 1] - places[i] and step > period:
-            lasting, sudden = (places[i + 1] - places[i]) / step, period / step
+        if i < last and step > grid_phi[i + 1] - grid_phi[i] and step > period:
+            lasting, sudden = (grid_phi[i + 1] - grid_phi[i]) / step, period / step
             behind = max(lasting ** (1.0 / 3.0), math.sqrt(sudden))
         out[i] = min(rate, behind, before)
         before = behind
@@ -74,7 +76,7 @@ def least_rate(
     d2: Array2,
     torque: Array2,
     still: Array2,
-    places: Array1,
+    grid_phi: Array1,
     limits: Array2,
     period: float,
     begin: int,
@@ -88,7 +90,7 @@ def least_rate(
         d2: second ones, shape (m, n).
         torque: of the plan from place `begin` on [N m | N], shape (end - begin, n), or (…, 0).
         still: torque of creeping at all places [N m | N], shape (m, n), or (m, 0).
-        places: nominal times [s], shape (m,).
+        grid_phi: nominal times [s], shape (m,).
         limits: in the order of `Quantity`, shape (4, n).
         period: of the control ticks [s].
         begin: first checked grid point.
@@ -106,10 +108,10 @@ def least_rate(
                 _lower(out, ACCELERATION, i, j, math.sqrt(limits[ACCELERATION, j] / swing))
         for i in range(max(begin - 1, 0), min(end, last)):
             step, jerk, square = max(abs(d2[i + 1, j] - d2[i, j]), _TINY), limits[JERK, j], out[3] * out[3]
-            way = places[i + 1] - places[i]
-            if jerk * way < square * out[3] * step and jerk * period < square * step:
+            interval = grid_phi[i + 1] - grid_phi[i]
+            if jerk * interval < square * out[3] * step and jerk * period < square * step:
                 share = jerk / step
-                rate = max((share * way) ** (1.0 / 3.0), math.sqrt(share * period))
+                rate = max((share * interval) ** (1.0 / 3.0), math.sqrt(share * period))
                 _lower(out, JERK, max(i, begin), j, rate)
         for i in range(begin, end if j < torque.shape[1] else begin):
             held = still[i, j]
@@ -120,7 +122,7 @@ def least_rate(
                 _lower(out, TORQUE, i, j, math.sqrt(free / most))
 
 
-def _lower(out: Array, kind: int, place: int, joint: int, rate: float) -> None:
+def _lower(out: Array, kind: int, point: int, joint: int, rate: float) -> None:
     """Keep a rate with its constraint if it is lower than the present one."""
     if rate < out[3]:
-        out[0], out[1], out[2], out[3] = kind, place, joint, rate
+        out[0], out[1], out[2], out[3] = kind, point, joint, rate

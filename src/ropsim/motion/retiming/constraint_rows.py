@@ -7,7 +7,7 @@ import numpy as np
 from ropsim.motion.curves.path import JointPoints
 from ropsim.motion.retiming.constraint_kernel import creeping
 from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, torques
-from ropsim.motion.retiming.tool_paths import Ways, no_ways
+from ropsim.motion.retiming.tool_paths import PathMotion, no_path_motion
 from ropsim.spatial import Array
 
 
@@ -22,37 +22,37 @@ class ConstraintRows:
     Attributes:
         points: the path, m places.
         bounds: of the joints.
-        ways: paths with limits of their own there.
+        path_motion: paths with limits of their own there.
         effort: torque of the joints, or None.
         still: torque of creeping along [N m | N], shape (m, n), or (m, 0) where torque does not count.
     """
 
     points: JointPoints
     bounds: JointBounds
-    ways: Ways
+    path_motion: PathMotion
     effort: Effort | None
     still: Array
 
     def without_torque(self) -> "ConstraintRows":
         """Return the same where torque does not count."""
-        return ConstraintRows(self.points, self.bounds, self.ways, None, self.points.q[:, :0])
+        return ConstraintRows(self.points, self.bounds, self.path_motion, None, self.points.q[:, :0])
 
     def along(self) -> tuple[Array, Array]:
         """Return first and second derivatives of joints and places on paths by nominal time, (m, n + r)."""
-        return self.ways.beside(self.points)
+        return self.path_motion.with_joints(self.points)
 
     def most(self) -> Array:
         """Return the bounds of acceleration of joints and paths, (m, n + r), or (1, n) without paths."""
-        return self._beside(self.bounds.acceleration, self.ways.most_accelerations)
+        return self._with_paths(self.bounds.acceleration, self.path_motion.most_accelerations)
 
     def most_jerk(self) -> Array:
         """Return the bounds of jerk of joints and paths, (m, n + r), or (1, n) without paths."""
-        return self._beside(self.bounds.jerk, self.ways.most_jerks)
+        return self._with_paths(self.bounds.jerk, self.path_motion.most_jerks)
 
-    def _beside(self, joints: Array, ways: Array) -> Array:
-        if ways.shape[1] == 0:
+    def _with_paths(self, joints: Array, paths: Array) -> Array:
+        if paths.shape[1] == 0:
             return joints[None]
-        return np.ascontiguousarray(np.hstack((np.broadcast_to(joints, self.points.q.shape), ways)))
+        return np.ascontiguousarray(np.hstack((np.broadcast_to(joints, self.points.q.shape), paths)))
 
     def inertia(self) -> Array:
         """Return the torque of a unit of u [N m | N], shape (m, n), or (m, 0) where torque does not count."""
@@ -63,8 +63,8 @@ class ConstraintRows:
         return torques(self.effort, q, rest, d1) - torques(self.effort, q, rest, rest)
 
 
-def demand(
-    points: JointPoints, bounds: JointBounds, effort: Effort | None, ways: Ways | None = None
+def constraint_rows(
+    points: JointPoints, bounds: JointBounds, effort: Effort | None, paths: PathMotion | None = None
 ) -> ConstraintRows:
     """Return the constraint rows of a path for the joints.
 
@@ -72,12 +72,12 @@ def demand(
         points: the path, m places.
         bounds: of the joints.
         effort: torque of the joints, or None.
-        ways: paths with limits of their own there; None where there are none.
+        paths: paths with limits of their own there; None where there are none.
 
     Raises:
         ProfileError: M540, torques are no numbers.
     """
-    q, d1, on = points.q, points.d1, ways or no_ways(len(points.q))
+    q, d1, on = points.q, points.d1, paths or no_path_motion(len(points.q))
     if effort is None or bounds.effort is None:
         return ConstraintRows(points, bounds, on, None, q[:, :0])
     creep = np.empty(q.shape)

@@ -13,10 +13,10 @@ from ropsim.motion.retiming.nominal_time_kernel import (
     ROWS_OF_LOAD,
     ROWS_OF_RATES,
     beyond_torque,
-    walk_at,
+    evaluate_at,
 )
 from ropsim.motion.retiming.retimed import Motion
-from ropsim.motion.retiming.utilisation import ROUNDING, Going, Utilisation, strain
+from ropsim.motion.retiming.utilisation import ROUNDING, Going, Utilisation, utilisation_of_rows
 from ropsim.spatial import Array
 
 _CLEARLY = (1.0 + ROUNDING) * (1.0 - 1e-12)
@@ -24,7 +24,7 @@ _CLEARLY = (1.0 + ROUNDING) * (1.0 - 1e-12)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Walked:
+class EvaluatedMotion:
     """A motion in its nominal time, at k control ticks.
 
     Attributes:
@@ -40,7 +40,7 @@ class Walked:
     keeps_motion: bool
 
 
-def walked(motion: Motion, clock: NominalTime, bounds: JointBounds, ticks: Ticks) -> Walked:
+def evaluate_motion(motion: Motion, clock: NominalTime, bounds: JointBounds, ticks: Ticks) -> EvaluatedMotion:
     """Return a motion in its nominal time.
 
     qd = q'·w and qdd = q''·w² + q'·c, with the rate w of nominal time and its change c.
@@ -56,9 +56,9 @@ def walked(motion: Motion, clock: NominalTime, bounds: JointBounds, ticks: Ticks
     first, second = np.ascontiguousarray(points.d1), np.ascontiguousarray(points.d2)
     limits = np.array([bounds.speed, bounds.acceleration, ticks.period * bounds.jerk]) * _CLEARLY
     rates, beyond = np.empty((2, *points.q.shape)), np.empty(1)
-    room = np.empty((ROWS_OF_RATES, AT_ONCE * limits.shape[1]))
-    walk_at(first, second, timing, limits, room, rates.reshape(2, -1), beyond)
-    return Walked(timing, points, JointPoints(points.q, rates[0], rates[1]), bool(beyond[0] < 0.0))
+    work = np.empty((ROWS_OF_RATES, AT_ONCE * limits.shape[1]))
+    evaluate_at(first, second, timing, limits, work, rates.reshape(2, -1), beyond)
+    return EvaluatedMotion(timing, points, JointPoints(points.q, rates[0], rates[1]), bool(beyond[0] < 0.0))
 
 
 def keeps_torque(rows: JointPoints, bounds: JointBounds, effort: Effort | None) -> bool:
@@ -73,36 +73,47 @@ def keeps_torque(rows: JointPoints, bounds: JointBounds, effort: Effort | None) 
 
 
 def utilisation_at_ticks(
-    walk: Walked, motion: Motion, demand: ConstraintRows, places: Array, period: float, more: float
+    evaluated: EvaluatedMotion,
+    motion: Motion,
+    constraints: ConstraintRows,
+    grid_phi: Array,
+    period: float,
+    more: float,
 ) -> Utilisation | None:
     """Return the utilisation of the limits by a motion in nominal time, None where it clearly keeps all.
 
     Args:
-        walk: the motion at control ticks.
+        evaluated: the motion at control ticks.
         motion: the plan.
-        demand: constraint rows at the grid points.
-        places: nominal times [s], shape (m,).
+        constraints: constraint rows at the grid points.
+        grid_phi: nominal times [s], shape (m,).
         period: of the control ticks [s].
-        more: added to each lack, see `strain`.
+        more: added to each lack, see `utilisation_of_rows`.
 
     Raises:
-        ProfileError: M540, as for `strain`, or torques are no numbers.
+        ProfileError: M540, as for `utilisation_of_rows`, or torques are no numbers.
     """
-    rows, bounds, torque = walk.rows, demand.bounds, None
-    is_kept = walk.keeps_motion and demand.ways.speeds.shape[1] == 0
-    if demand.effort is not None and bounds.effort is not None:
-        torque = checked_torques(demand.effort, rows.q, rows.d1, rows.d2)
-        is_kept = _keeps(torque, rows, bounds.effort * _CLEARLY) and is_kept
-    if is_kept:
+    rows, bounds, torque = evaluated.rows, constraints.bounds, None
+    is_within = evaluated.keeps_motion and constraints.path_motion.speeds.shape[1] == 0
+    if constraints.effort is not None and bounds.effort is not None:
+        torque = checked_torques(constraints.effort, rows.q, rows.d1, rows.d2)
+        is_within = _keeps(torque, rows, bounds.effort * _CLEARLY) and is_within
+    if is_within:
         return None
-    going = Going(walk.points, motion.ways(walk.timing[0]), walk.timing, places, demand.still)
-    return strain(rows, torque, bounds, period, going, more)
+    going = Going(
+        evaluated.points,
+        motion.path_motion(evaluated.timing[0]),
+        evaluated.timing,
+        grid_phi,
+        constraints.still,
+    )
+    return utilisation_of_rows(rows, torque, bounds, period, going, more)
 
 
 def _keeps(torque: Array, rows: JointPoints, most: Array) -> bool:
     """Return whether no torque is above its limit [N m | N]; an error where one is no number."""
-    room, beyond = np.empty((ROWS_OF_LOAD, AT_ONCE * len(most))), np.empty(1)
-    beyond_torque(torque.reshape(-1), most, room, beyond)
+    work, beyond = np.empty((ROWS_OF_LOAD, AT_ONCE * len(most))), np.empty(1)
+    beyond_torque(torque.reshape(-1), most, work, beyond)
     if not beyond[0] < np.inf and not np.isfinite(torque).all():
         raise no_torques(torque, rows.q)
     return bool(beyond[0] <= 0.0)

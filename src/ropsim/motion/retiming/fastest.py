@@ -4,7 +4,7 @@ import numpy as np
 
 from ropsim.motion.curves.path import JointPoints
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
-from ropsim.motion.retiming.constraint_rows import ConstraintRows, demand
+from ropsim.motion.retiming.constraint_rows import ConstraintRows, constraint_rows
 from ropsim.motion.retiming.fastest_kernel import LinearRows, bound, fastest
 from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, torques
 from ropsim.motion.retiming.retimed import Infeasible, too_heavy
@@ -27,7 +27,7 @@ class Speeds:
     """
 
     def __init__(self, requested: ConstraintRows, steps: Array) -> None:
-        self._asked, self._steps, m = requested, steps, len(requested.points.q)
+        self._requested, self._steps, m = requested, steps, len(requested.points.q)
         A, B = requested.along()
         self._along, self._most = A.shape[1], requested.most()
         if requested.effort is not None:
@@ -49,7 +49,7 @@ class Speeds:
             share: utilisation of the bounds of acceleration, in ]0, 1], shape (m,).
             spared: utilisation of the torque that `still` leaves, in ]0, 1], shape (m,).
         """
-        n, lower, upper, requested = self._along, self._lower, self._upper, self._asked
+        n, lower, upper, requested = self._along, self._lower, self._upper, self._requested
         bound(self._most, share, imposed, 1.0 + SLACK, self._before, lower, upper, self._same)
         if requested.effort is None or requested.bounds.effort is None:
             return self._fastest(imposed)
@@ -104,7 +104,7 @@ def time_optimal(
         found = f"a path of {m} places with steps of {step:g}"
         message = f"{found}, allowed are finite numbers at 2 places or more"
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, message))
-    requested = demand(points, bounds, effort)
+    requested = constraint_rows(points, bounds, effort)
     refusal = too_heavy(requested, np.asarray(np.arange(m) * step, dtype=np.float64))
     if refusal is not None:
         return refusal

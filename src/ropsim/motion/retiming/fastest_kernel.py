@@ -112,22 +112,22 @@ def fastest(
     if greatest != free[last]:
         same[:] = 0.0
     free[last] = greatest
-    kept = same[last] > 0.0
-    if not kept:
+    unchanged = same[last] > 0.0
+    if not unchanged:
         back[last] = imposed[last]
     for i in range(last - 1, -1, -1):
-        kept_there, kept = kept, same[i] > 0.0
-        if kept_there and kept:
+        unchanged_there, unchanged = unchanged, same[i] > 0.0
+        if unchanged_there and unchanged:
             continue
         before = back[i]
         back[i] = _backwards(rows, i, steps[i], imposed[i], back[i + 1], greatest, free)
         if back[i] != before:
             same[i] = 0.0
-            kept = False
-    kept = same[0] > 0.0
+            unchanged = False
+    unchanged = same[0] > 0.0
     x[0] = back[0]
     for i in range(last):
-        if kept and same[i] > 0.0 and same[i + 1] > 0.0:
+        if unchanged and same[i] > 0.0 and same[i + 1] > 0.0:
             continue
         most, fall = back[i + 1] / (2.0 * steps[i]), -1.0 / (2.0 * steps[i])
         if x[i] != free[i]:
@@ -135,7 +135,7 @@ def fastest(
             most, fall, _ = _binding(rows, i, steps[i], x[i], 1.0, most, fall, reach)
         before = x[i + 1]
         x[i + 1] = min(back[i + 1], max(x[i] + 2.0 * steps[i] * (most + fall * x[i]), 0.0))
-        kept = x[i + 1] == before
+        unchanged = x[i + 1] == before
 
 
 def _backwards(
@@ -205,8 +205,8 @@ def _binding(
     for end in range(2):
         for r in range(A.shape[1]):
             b, low, high = B[i + end, r], lower[i + end, r], upper[i + end, r]
-            a, room = (A[i + end, r] + 2.0 * step * end * b) * sign, b * x
-            if low <= a * most + room <= high:
+            a, offset = (A[i + end, r] + 2.0 * step * end * b) * sign, b * x
+            if low <= a * most + offset <= high:
                 continue
             if abs(a) * reach <= NOTHING * (high - low):
                 if b > 0.0:
@@ -215,8 +215,8 @@ def _binding(
                     cap = min(cap, low / b)
                 continue
             if a < 0.0:
-                a, b, high, room = -a, -b, -low, -room
-            if a * most > high - room:
+                a, b, high, offset = -a, -b, -low, -offset
+            if a * most > high - offset:
                 inverse = 1.0 / a
                 line, slope = high * inverse, -b * inverse
                 most = line + slope * x

@@ -13,7 +13,7 @@ from ropsim.spatial import Array
 _FEWEST = 8
 _ROUNDS = 12
 _LEAST_PART = 1e-4
-"""Ways that are shorter than this share of the grid are not divided further."""
+"""PathMotion that are shorter than this share of the grid are not divided further."""
 _LONG = 1.5
 """Greatest real time between two places, over the requested time."""
 _LITTLE_LONGER = 1.03
@@ -23,7 +23,7 @@ _STEEP = 0.4
 _MOST_PARTS = 64.0
 
 
-def places_of(
+def grid_points_of(
     motion: Motion, bounds: JointBounds, spacing: float, phi: Array, rates: Array
 ) -> tuple[Array, JointPoints]:
     """Return nominal times [s] from 0 to the end, about one real time apart, (m,), and the motion there.
@@ -38,44 +38,44 @@ def places_of(
         rates: estimates of dφ/dt there, in ]0, 1], shape (k,).
     """
     count = max(int(np.ceil(motion.duration / spacing)), _FEWEST)
-    places, parts = np.linspace(0.0, motion.duration, count + 1), np.empty(count)
-    parts_by_rate(places, np.ascontiguousarray(phi), np.ascontiguousarray(rates), parts)
+    grid_phi, parts = np.linspace(0.0, motion.duration, count + 1), np.empty(count)
+    parts_by_rate(grid_phi, np.ascontiguousarray(phi), np.ascontiguousarray(rates), parts)
     for _ in range(_ROUNDS):
-        places = _divided(places, parts)
-        points, parts = motion.at(places), np.empty(len(places) - 1)
+        grid_phi = _divided(grid_phi, parts)
+        points, parts = motion.at(grid_phi), np.empty(len(grid_phi) - 1)
         q, d1 = np.ascontiguousarray(points.q), np.ascontiguousarray(points.d1)
-        parts_by_joints(places, q, d1, bounds.speed, spacing, parts)
+        parts_by_joints(grid_phi, q, d1, bounds.speed, spacing, parts)
         if not parts.max() > 1.0:
-            return places, points
-    places = _divided(places, parts)
-    return places, motion.at(places)
+            return grid_phi, points
+    grid_phi = _divided(grid_phi, parts)
+    return grid_phi, motion.at(grid_phi)
 
 
-def _divided(places: Array, parts: Array) -> Array:
+def _divided(grid_phi: Array, parts: Array) -> Array:
     """Return the places with the ways between them in equal parts, (m,) and (m - 1,)."""
     divided = np.empty(int(parts.sum()) + 1)
-    divide(places, parts, divided)
+    divide(grid_phi, parts, divided)
     return divided
 
 
 @kernel
-def parts_by_rate(places: Array1, phi: Array1, rates: Array1, parts: Array1) -> None:
+def parts_by_rate(grid_phi: Array1, phi: Array1, rates: Array1, parts: Array1) -> None:
     """Write into how many parts ways are divided, so that these last but a little longer than at full rate.
 
     Args:
-        places: nominal times [s], rising, shape (m,).
+        grid_phi: nominal times [s], rising, shape (m,).
         phi: nominal times at which rates are known [s], rising, shape (k,).
         rates: estimates of dφ/dt there, in ]0, 1]; the lowest on an interval and its neighbours counts, (k,).
         parts: becomes the numbers of parts, shape (m - 1,).
     """
-    last = places.shape[0] - 2
+    last = grid_phi.shape[0] - 2
     for i in range(last + 1):
         parts[i] = 1.0
-    way = 0
+    interval = 0
     for k in range(phi.shape[0]):
-        while way < last and places[way + 1] <= phi[k]:
-            way += 1
-        for i in range(max(way - 1, 0), min(way + 1, last) + 1):
+        while interval < last and grid_phi[interval + 1] <= phi[k]:
+            interval += 1
+        for i in range(max(interval - 1, 0), min(interval + 1, last) + 1):
             parts[i] = max(parts[i], math.ceil(1.0 / (rates[k] * _LITTLE_LONGER)))
     for i in range(last + 1):
         parts[i] = min(parts[i], _MOST_PARTS)
@@ -83,12 +83,12 @@ def parts_by_rate(places: Array1, phi: Array1, rates: Array1, parts: Array1) -> 
 
 @kernel
 def parts_by_joints(
-    places: Array1, q: Array2, d1: Array2, speed: Array1, spacing: float, parts: Array1
+    grid_phi: Array1, q: Array2, d1: Array2, speed: Array1, spacing: float, parts: Array1
 ) -> None:
     """Write into how many parts ways are divided for joints that go far or whose speed bounds change steeply.
 
     Args:
-        places: nominal times [s], rising, shape (m,).
+        grid_phi: nominal times [s], rising, shape (m,).
         q: coordinates of the joints there, shape (m, n).
         d1: their derivatives by nominal time, shape (m, n).
         speed: limits of the joints, shape (n,).
@@ -96,7 +96,7 @@ def parts_by_joints(
         parts: becomes the numbers of parts, shape (m - 1,).
     """
     before = 0.0
-    for i in range(places.shape[0]):
+    for i in range(grid_phi.shape[0]):
         fast, lasts = 1.0, 0.0
         for j in range(speed.shape[0]):
             fast = max(fast, abs(d1[i, j]) / speed[j])
@@ -105,24 +105,24 @@ def parts_by_joints(
         allowed = math.log(1.0 / fast) if fast > 1.0 else 0.0
         if i > 0:
             needed = math.ceil(max(lasts / (_LONG * spacing), abs(allowed - before) / _STEEP))
-            is_short = places[i] - places[i - 1] < _LEAST_PART * spacing
+            is_short = grid_phi[i] - grid_phi[i - 1] < _LEAST_PART * spacing
             parts[i - 1] = 1.0 if is_short else min(max(needed, 1.0), _MOST_PARTS)
         before = allowed
 
 
 @kernel
-def divide(places: Array1, parts: Array1, out: Array1) -> None:
+def divide(grid_phi: Array1, parts: Array1, out: Array1) -> None:
     """Write places with the ways between them in equal parts.
 
     Args:
-        places: rising, shape (m,).
+        grid_phi: rising, shape (m,).
         parts: numbers of parts, from 1 on, shape (m - 1,).
         out: becomes the places, one more than there are parts.
     """
     row = 0
     for i in range(parts.shape[0]):
-        way = places[i + 1] - places[i]
+        interval = grid_phi[i + 1] - grid_phi[i]
         for number in range(int(parts[i])):
-            out[row] = places[i] + way * (number / parts[i])
+            out[row] = grid_phi[i] + interval * (number / parts[i])
             row += 1
-    out[row] = places[parts.shape[0]]
+    out[row] = grid_phi[parts.shape[0]]

@@ -15,18 +15,18 @@ class NominalTime:
 
     Attributes:
         times: real times of the knots [s], from 0 on, rising, shape (m,).
-        places: nominal times there [s], from 0 on, rising, shape (m,).
+        phi: nominal times there [s], from 0 on, rising, shape (m,).
         rates: dφ/dt there, shape (m,).
         changes: d²φ/dt² there [1/s], shape (m,).
     """
 
     times: Array
-    places: Array
+    phi: Array
     rates: Array
     changes: Array
 
     def __post_init__(self) -> None:
-        for name in ("times", "places", "rates", "changes"):
+        for name in ("times", "phi", "rates", "changes"):
             object.__setattr__(self, name, frozen(getattr(self, name)))
 
     @property
@@ -41,20 +41,20 @@ class NominalTime:
         """
         out = np.empty((3, len(times)))
         requested = np.ascontiguousarray(times, dtype=np.float64)
-        motion_time_at(self.times, self.places, self.rates, self.changes, requested, out)
+        motion_time_at(self.times, self.phi, self.rates, self.changes, requested, out)
         return out
 
-    def times_of(self, places: npt.ArrayLike) -> Array:
+    def times_of(self, phi: npt.ArrayLike) -> Array:
         """Return about when nominal times are reached [s], evenly between knots.
 
         Args:
-            places: nominal times [s], shape (k,).
+            phi: nominal times [s], shape (k,).
         """
-        return np.asarray(np.interp(np.asarray(places), self.places, self.times))
+        return np.asarray(np.interp(np.asarray(phi), self.phi, self.times))
 
     def slower(self, share: float) -> "NominalTime":
         """Return the same timing at a share, in ]0, 1], of all its rates."""
-        return NominalTime(self.times / share, self.places, self.rates * share, self.changes * share**2)
+        return NominalTime(self.times / share, self.phi, self.rates * share, self.changes * share**2)
 
 
 def unslowed(duration: float) -> NominalTime:
@@ -62,7 +62,7 @@ def unslowed(duration: float) -> NominalTime:
     return NominalTime(np.array([0.0, duration]), np.array([0.0, duration]), np.ones(2), np.zeros(2))
 
 
-def motion_time(places: Array, rates: Array, changes: Array) -> NominalTime:
+def motion_time(phi: Array, rates: Array, changes: Array) -> NominalTime:
     """Return the nominal time with given rates.
 
     The time from knot to knot is that in which the integral of the cubic rate is the way between them: the
@@ -70,10 +70,10 @@ def motion_time(places: Array, rates: Array, changes: Array) -> NominalTime:
     would lead a rate out of ]0, 1] between two knots are brought down.
 
     Args:
-        places: nominal times of the knots [s], rising, shape (m,).
+        phi: nominal times of the knots [s], rising, shape (m,).
         rates: in ]0, 1], shape (m,).
         changes: d²φ/dt² [1/s], shape (m,).
     """
-    moved, times = np.array(changes, dtype=np.float64), np.empty(len(places))
-    timed(places, rates, moved, times)
-    return NominalTime(times, places, rates, moved)
+    moved, times = np.array(changes, dtype=np.float64), np.empty(len(phi))
+    timed(phi, rates, moved, times)
+    return NominalTime(times, phi, rates, moved)

@@ -45,13 +45,13 @@ class _Cubic(NamedTuple):
 
 @kernel
 def motion_time_at(
-    knots: Array1, places: Array1, rates: Array1, changes: Array1, times: Array1, out: Array2
+    knots: Array1, phi: Array1, rates: Array1, changes: Array1, times: Array1, out: Array2
 ) -> None:
     """Write nominal time [s], its rate and the change of that [1/s] at real times; see `MotionTime.at`.
 
     Args:
         knots: real times of the knots [s], rising, shape (m,), m >= 2.
-        places: nominal times there [s], shape (m,).
+        phi: nominal times there [s], shape (m,).
         rates: there, shape (m,).
         changes: of the rates there [1/s], shape (m,).
         times: real times [s], best in order, shape (k,).
@@ -72,7 +72,7 @@ def motion_time_at(
         more = (rates[i + 1] - first) * per
         square = (3.0 * more - 2.0 * change - then) * per
         cube = (change + then - 2.0 * more) * (per * per)
-        ends = _Knots(knots[0], knots[last], places[last], knots[i], places[i], places[i + 1])
+        ends = _Knots(knots[0], knots[last], phi[last], knots[i], phi[i], phi[i + 1])
         _in_cell(ends, _Cubic(first, change, square, cube), times[begin:end], out[:, begin:end])
         begin = end
 
@@ -93,22 +93,22 @@ def _in_cell(ends: _Knots, cubic: _Cubic, times: Array, out: Array) -> None:
 
 
 @kernel
-def timed(places: Array1, rates: Array1, changes: Array1, times: Array1) -> None:
+def timed(phi: Array1, rates: Array1, changes: Array1, times: Array1) -> None:
     """Write the real times at which a motion with given rates comes to its knots; see `motion_time`.
 
     Args:
-        places: nominal times of the knots [s], rising, shape (m,), m >= 2.
+        phi: nominal times of the knots [s], rising, shape (m,), m >= 2.
         rates: in ]0, 1], shape (m,).
         changes: d²φ/dt² [1/s]; changes that would lead a rate out of ]0, 1] are reduced, shape (m,).
         times: become real times [s], from 0 on, shape (m,).
     """
-    last = places.shape[0] - 1
-    left = (rates[1] + rates[0]) / 2.0 / (places[1] - places[0])
-    way, mean, before = 0.0, 1.0, 0.0
+    last = phi.shape[0] - 1
+    left = (rates[1] + rates[0]) / 2.0 / (phi[1] - phi[0])
+    interval, mean, before = 0.0, 1.0, 0.0
     for i in range(last + 1):
         right = left
         if i < last:
-            right = (rates[i + 1] + rates[i]) / 2.0 / (places[i + 1] - places[i])
+            right = (rates[i + 1] + rates[i]) / 2.0 / (phi[i + 1] - phi[i])
         above, below = 3.0 * (1.0 - rates[i]), 3.0 * _INSIDE * rates[i] * (2.0 - _INSIDE) / 2.0
         up, down = min(above * right, below * left), min(above * left, below * right)
         changes[i] = min(max(changes[i], -down), up)
@@ -116,10 +116,10 @@ def timed(places: Array1, rates: Array1, changes: Array1, times: Array1) -> None
             times[0] = 0.0
         else:
             bend = (before - changes[i]) / 12.0
-            root = math.sqrt(max(mean * mean + 4.0 * bend * way, 0.0))
-            times[i] = times[i - 1] + 2.0 * way / (mean + root)
+            root = math.sqrt(max(mean * mean + 4.0 * bend * interval, 0.0))
+            times[i] = times[i - 1] + 2.0 * interval / (mean + root)
         if i < last:
-            way, mean = places[i + 1] - places[i], (rates[i + 1] + rates[i]) / 2.0
+            interval, mean = phi[i + 1] - phi[i], (rates[i + 1] + rates[i]) / 2.0
         before, left = changes[i], right
 
 
@@ -133,7 +133,7 @@ MOST, ROWS_OF_LOAD = 1, 2
 
 
 @kernel
-def walk_at(
+def evaluate_at(
     first: Array2, second: Array2, timing: Array2, limits: Array2, work: Array2, out: Array2, beyond: Array1
 ) -> None:
     """Write speeds and accelerations at k control ticks, as `by_real_time` does, and excesses over limits.

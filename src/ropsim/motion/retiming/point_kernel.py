@@ -5,11 +5,11 @@ from typing import NamedTuple
 
 from ropsim.codegen import Array1, Array2, columns, kernel
 from ropsim.motion.retiming.utilisation_kernel import (
-    BESIDE,
     MOST_AT_ONCE,
     RATE,
     STEADY,
     SWING,
+    SWING_SHARE,
     WINDOW,
     Derivatives,
 )  # fmt: skip
@@ -35,13 +35,13 @@ class TimedPoints(NamedTuple):
     """Nominal time over real time at m points.
 
     Attributes:
-        places: nominal times [s], rising, shape (m,).
+        phi: nominal times [s], rising, shape (m,).
         times: real times there [s], rising, shape (m,).
         rates: dφ/dt there, shape (m,).
         changes: of the rates there [1/s], shape (m,).
     """
 
-    places: Array1
+    phi: Array1
     times: Array1
     rates: Array1
     changes: Array1
@@ -102,7 +102,7 @@ def lacks_at(
         _next_point(work, n)
         _swing(n, square, c, first[i], second[i], work[HERE])
         if i < last:
-            per = 1.0 / (timing.places[i + 1] - timing.places[i])
+            per = 1.0 / (timing.phi[i + 1] - timing.phi[i])
             _jerk(n, per, second[i + 1], second[i], work[JERK_NEXT])
         if i > 0:
             per = 1.0 / (timing.times[i] - timing.times[i - 1])
@@ -133,7 +133,7 @@ def lacks_at(
                 whole /= max(by_path + bend + change, _TINY)
                 for k in range(i - 1, i + 1):
                     _raise(lacks, RATE, k, by_path * STEADY * whole, count)
-                    _raise(lacks, SWING, k, (bend + BESIDE * change) * whole, count)
+                    _raise(lacks, SWING, k, (bend + SWING_SHARE * change) * whole, count)
                     _raise(lacks, WINDOW, k, change * whole, count)
 
 
@@ -192,7 +192,7 @@ def _exceed(
         work[EXCESS, j] = max(excess, far - allowed * work[MOST_JERK, j])
 
 
-def _raise(lacks: Array, row: int, place: int, lack: float, result: Array) -> None:
+def _raise(lacks: Array, row: int, point: int, lack: float, result: Array) -> None:
     """Keep the greatest lack, and count it."""
-    lacks[row, place] = max(lacks[row, place], lack)
+    lacks[row, point] = max(lacks[row, point], lack)
     result[0] += 1.0

@@ -7,9 +7,9 @@ import numpy as np
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.retiming.attempts import Attempts
 from ropsim.motion.retiming.binding import binding_constraint
-from ropsim.motion.retiming.constraint_rows import ConstraintRows, demand
-from ropsim.motion.retiming.evaluated import keeps_torque, utilisation_at_ticks, walked
-from ropsim.motion.retiming.grid import places_of
+from ropsim.motion.retiming.constraint_rows import ConstraintRows, constraint_rows
+from ropsim.motion.retiming.evaluated import evaluate_motion, keeps_torque, utilisation_at_ticks
+from ropsim.motion.retiming.grid import grid_points_of
 from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, Ticks
 from ropsim.motion.retiming.nominal_time import NominalTime, unslowed
 from ropsim.motion.retiming.reference import Reference, as_planned
@@ -26,7 +26,7 @@ _MORE = 0.005
 """Reduction beyond the excess at control ticks, in the first round; each round reduces more."""
 
 
-def keep_limits(
+def retime(
     motion: Motion, bounds: JointBounds, effort: Effort | None, period: float, grid: float = 4e-3
 ) -> RetimedTrajectory | Infeasible:
     """Return the motion within its limits at every control tick, slowed where it must be.
@@ -68,7 +68,7 @@ def retimed_from(
     ticks: Ticks,
     grid: float = 4e-3,
 ) -> RetimedTrajectory | Infeasible:
-    """Return the same as `keep_limits`, where the references of the plan are known.
+    """Return the same as `retime`, where the references of the plan are known.
 
     Args:
         planned: references of the motion, see `as_planned`; where they are not within the limits, at a few of
@@ -82,16 +82,16 @@ def retimed_from(
     if not (math.isfinite(grid) and grid > 0.0):
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"grid {grid:g} s, allowed are numbers above 0"))
     plain = planned.utilisation
-    if plain.is_kept:
+    if plain.is_within_limits:
         return RetimedTrajectory(unslowed(motion.duration), (), planned.phi, planned.rows)
-    places, points = places_of(motion, bounds, grid, planned.phi, plain.rates)
-    requested = demand(points, bounds, effort, motion.ways(places))
+    grid_phi, points = grid_points_of(motion, bounds, grid, planned.phi, plain.rates)
+    requested = constraint_rows(points, bounds, effort, motion.path_motion(grid_phi))
     first = requested if plain.peaks[3] > 1.0 else requested.without_torque()
-    return too_heavy(requested, places) or _slowed(motion, requested, first, places, ticks)
+    return too_heavy(requested, grid_phi) or _slowed(motion, requested, first, grid_phi, ticks)
 
 
 def _slowed(
-    motion: Motion, requested: ConstraintRows, planned: ConstraintRows, places: Array, ticks: Ticks
+    motion: Motion, requested: ConstraintRows, planned: ConstraintRows, grid_phi: Array, ticks: Ticks
 ) -> RetimedTrajectory | Infeasible:
     """Return the motion slowed.
 
@@ -99,49 +99,56 @@ def _slowed(
         motion: the plan.
         requested: its constraint rows at grid points.
         planned: the same, or without torque: that is then planned with only if it is found to be too much.
-        places: nominal times [s], shape (m,).
+        grid_phi: nominal times [s], shape (m,).
         ticks: of control.
     """
     period = ticks.period
-    attempts = Attempts(requested, planned, places, period)
-    if requested.ways.speeds.shape[1] == 0:  # sudden changes on tool paths are seen only at ticks
+    attempts = Attempts(requested, planned, grid_phi, period)
+    if requested.path_motion.speeds.shape[1] == 0:  # sudden changes on tool paths are seen only at ticks
         attempts.give_up_at_points(2.0 * _MORE)
     best, attempt = (math.inf, unslowed(motion.duration)), 0
     while True:
         clock, (slowest, x) = attempts.clock, attempts.slowest
         if x < LEAST_RATE**2 or clock.duration - motion.duration > LONGEST_DELAY:
             return too_slow(
-                requested, places, binding_constraint(requested, places, period, slowest, slowest + 1)
+                requested, grid_phi, binding_constraint(requested, grid_phi, period, slowest, slowest + 1)
             )
-        walk, more = walked(motion, clock, requested.bounds, ticks), math.log1p(_MORE * (attempt + 1))
-        found = utilisation_at_ticks(walk, motion, planned, places, period, more)
-        if found is None or found.is_kept:
-            if planned is requested or keeps_torque(walk.rows, requested.bounds, requested.effort):
-                return RetimedTrajectory(clock, _parts(clock, planned, period), walk.timing[0], walk.rows)
+        evaluated, more = (
+            evaluate_motion(motion, clock, requested.bounds, ticks),
+            math.log1p(_MORE * (attempt + 1)),
+        )
+        found = utilisation_at_ticks(evaluated, motion, planned, grid_phi, period, more)
+        if found is None or found.is_within_limits:
+            if planned is requested or keeps_torque(evaluated.rows, requested.bounds, requested.effort):
+                return RetimedTrajectory(
+                    clock, _parts(clock, planned, period), evaluated.timing[0], evaluated.rows
+                )
             planned = requested
             attempts.plan_with(planned)
             continue
         best = min(best, (clock.duration * found.factor, clock), key=lambda pair: pair[0])
         if attempt == _ATTEMPTS:
-            return _slower(motion, best[1], requested, places, ticks)
+            return _slower(motion, best[1], requested, grid_phi, ticks)
         attempts.give_up(found.lacks)
         attempt += 1
 
 
 def _slower(
-    motion: Motion, clock: NominalTime, requested: ConstraintRows, places: Array, ticks: Ticks
+    motion: Motion, clock: NominalTime, requested: ConstraintRows, grid_phi: Array, ticks: Ticks
 ) -> RetimedTrajectory | Infeasible:
     """Return the motion with all rates reduced to the need of its worst control tick."""
     extra = ROUNDING
     while True:
-        walk = walked(motion, clock, requested.bounds, ticks)
-        found = utilisation_at_ticks(walk, motion, requested, places, ticks.period, 0.0)
-        if found is None or found.is_kept:
-            return RetimedTrajectory(clock, _parts(clock, requested, ticks.period), walk.timing[0], walk.rows)
+        evaluated = evaluate_motion(motion, clock, requested.bounds, ticks)
+        found = utilisation_at_ticks(evaluated, motion, requested, grid_phi, ticks.period, 0.0)
+        if found is None or found.is_within_limits:
+            return RetimedTrajectory(
+                clock, _parts(clock, requested, ticks.period), evaluated.timing[0], evaluated.rows
+            )
         clock, extra = clock.slower(1.0 / (min(found.factor, 2.0) * (1.0 + extra))), 2.0 * extra
         if clock.duration - motion.duration > LONGEST_DELAY:
             return too_slow(
-                requested, places, binding_constraint(requested, places, ticks.period, 0, len(places))
+                requested, grid_phi, binding_constraint(requested, grid_phi, ticks.period, 0, len(grid_phi))
             )
 
 
@@ -151,8 +158,8 @@ def _parts(clock: NominalTime, requested: ConstraintRows, period: float) -> tupl
     starts, ends = np.flatnonzero(slow[1:] & ~slow[:-1]), np.flatnonzero(slow[:-1] & ~slow[1:])
     parts = []
     for first, end in zip(starts.tolist(), ends.tolist(), strict=True):
-        need = binding_constraint(requested, clock.places, period, first, end)
-        begins, stops = clock.places[max(first - 1, 0)], clock.places[min(end, len(clock.places) - 1)]
+        binding = binding_constraint(requested, clock.phi, period, first, end)
+        begins, stops = clock.phi[max(first - 1, 0)], clock.phi[min(end, len(clock.phi) - 1)]
         share = float(clock.rates[first:end].min())
-        parts.append(Slowed(float(begins), float(stops), share, need.joint, need.quantity))
+        parts.append(Slowed(float(begins), float(stops), share, binding.joint, binding.quantity))
     return tuple(parts)

@@ -5,12 +5,12 @@ from typing import Protocol, cast
 import numpy as np
 
 from ropsim.motion.curves.path import JointPoints
-from ropsim.motion.retiming.binding import Need
+from ropsim.motion.retiming.binding import BindingConstraint
 from ropsim.motion.retiming.constraint_rows import ConstraintRows
 from ropsim.motion.retiming.joint_bounds import Quantity
 from ropsim.motion.retiming.nominal_time import NominalTime
 from ropsim.motion.retiming.smooth_rates_kernel import LEAST_RATE
-from ropsim.motion.retiming.tool_paths import Ways
+from ropsim.motion.retiming.tool_paths import PathMotion
 from ropsim.motion.retiming.utilisation import ROUNDING
 from ropsim.spatial import Array, record
 
@@ -28,7 +28,7 @@ class Motion(Protocol):
         The arrays are new; the caller may write to them.
         """
 
-    def ways(self, phi: Array) -> Ways:
+    def path_motion(self, phi: Array) -> PathMotion:
         """Return how paths with limits of their own are traversed at nominal times [s], rising, (k,)."""
 
 
@@ -93,12 +93,12 @@ _POWERS = (1, 2, 3, 2)
 _TINY = 1e-300
 
 
-def too_heavy(requested: ConstraintRows, places: Array) -> Infeasible | None:
+def too_heavy(requested: ConstraintRows, grid_phi: Array) -> Infeasible | None:
     """Return the first place at which dry friction and gravity take more torque than there is.
 
     Args:
         requested: constraint rows of the plan.
-        places: parameter of the path, shape (m,).
+        grid_phi: parameter of the path, shape (m,).
     """
     most = requested.bounds.effort
     if most is None or requested.effort is None:
@@ -108,20 +108,22 @@ def too_heavy(requested: ConstraintRows, places: Array) -> Infeasible | None:
         return None
     where, joints = np.nonzero(beyond)
     i, j = int(where[0]), int(joints[0])
-    return Infeasible(float(places[i]), j, Quantity.TORQUE, float(abs(requested.still[i, j])), float(most[j]))
+    return Infeasible(
+        float(grid_phi[i]), j, Quantity.TORQUE, float(abs(requested.still[i, j])), float(most[j])
+    )
 
 
-def too_slow(requested: ConstraintRows, places: Array, need: Need) -> Infeasible:
+def too_slow(requested: ConstraintRows, grid_phi: Array, binding: BindingConstraint) -> Infeasible:
     """Return the refusal for a place that would require almost no speed.
 
     Args:
         requested: constraint rows of the plan.
-        places: nominal times [s], shape (m,).
-        need: binding constraint there.
+        grid_phi: nominal times [s], shape (m,).
+        binding: binding constraint there.
     """
-    bounds, kind = requested.bounds, tuple(Quantity).index(need.quantity)
+    bounds, kind = requested.bounds, tuple(Quantity).index(binding.quantity)
     limits = (bounds.speed, bounds.acceleration, bounds.jerk, cast("Array", bounds.effort))
-    limit = float(limits[kind][need.joint])
-    over = (LEAST_RATE / max(need.rate, _TINY)) ** _POWERS[kind]
+    limit = float(limits[kind][binding.joint])
+    over = (LEAST_RATE / max(binding.rate, _TINY)) ** _POWERS[kind]
     value = limit * max(over, 1.0)
-    return Infeasible(float(places[need.place]), need.joint, need.quantity, value, limit)
+    return Infeasible(float(grid_phi[binding.point]), binding.joint, binding.quantity, value, limit)

@@ -124,12 +124,12 @@ _SLOPE = 0.6
 _SWING = 0.5
 """Half width of a window over the time in which the jerk limit lets acceleration go from 0 to its limit."""
 _ENDLESS = 1e100
-_LEAST_WAY = 2.0**-52
+_LEAST_SLOPE = 2.0**-52
 
 
 @kernel
 def smooth_timing(
-    places: Array1,
+    grid_phi: Array1,
     x: Array1,
     lasting: Array1,
     width: Array1,
@@ -142,7 +142,7 @@ def smooth_timing(
     """Write a timing of rates without kinks that is nowhere above the given one, and its times.
 
     Args:
-        places: nominal times [s], rising, shape (m,).
+        grid_phi: nominal times [s], rising, shape (m,).
         x: squares of rates; these are nowhere exceeded, except for the least rate that counts, shape (m,).
         lasting: real times that windows last at least [s], shape (m,).
         width: factor of the windows, shape (m,).
@@ -152,35 +152,35 @@ def smooth_timing(
         smooth: becomes the rates dφ/dt, shape (m,).
         changes: becomes the changes of these [1/s], shape (m,).
     """
-    last = places.shape[0] - 1
+    last = grid_phi.shape[0] - 1
     widths, counted = work[0], work[1, : last + 1]
     lowest = math.inf
     for i in range(last + 1):
         counted[i] = max(math.sqrt(x[i]), LEAST_RATE) if x[i] < 1.0 - SLACK else 1.0
-        wide = max(lasting[i] * counted[i], _FEWEST_CELLS * _cell(places, i)) * width[i]
-        lowest = min(lowest, wide - places[i] * _SLOPE)
-        widths[i] = lowest + places[i] * _SLOPE
+        wide = max(lasting[i] * counted[i], _FEWEST_CELLS * _cell(grid_phi, i)) * width[i]
+        lowest = min(lowest, wide - grid_phi[i] * _SLOPE)
+        widths[i] = lowest + grid_phi[i] * _SLOPE
     lowest = math.inf
     for i in range(last, -1, -1):
-        lowest = min(lowest, widths[i] + places[i] * _SLOPE)
-        widths[i] = max(lowest - places[i] * _SLOPE, _cell(places, i))
+        lowest = min(lowest, widths[i] + grid_phi[i] * _SLOPE)
+        widths[i] = max(lowest - grid_phi[i] * _SLOPE, _cell(grid_phi, i))
     for i in range(last + 1):
         widths[i] = 1.0 / widths[i]
     sigma[0] = 0.0
     for i in range(last):
-        windows = (places[i + 1] - places[i]) * (widths[i + 1] + widths[i]) / 2.0
+        windows = (grid_phi[i + 1] - grid_phi[i]) * (widths[i + 1] + widths[i]) / 2.0
         sigma[i + 1] = sigma[i] + windows
     rounded(sigma, counted, work[2:], smooth, changes)
     for i in range(last + 1):
         changes[i] = smooth[i] * changes[i] * widths[i]
-    timed(places, smooth, changes, times)
+    timed(grid_phi, smooth, changes, times)
 
 
-def _cell(places: Array, i: int) -> float:
+def _cell(grid_phi: Array, i: int) -> float:
     """Return the longer one of the intervals next to a grid point."""
-    last = places.shape[0] - 1
-    before = places[i] - places[i - 1] if i > 0 else 0.0
-    return max(places[i + 1] - places[i], before) if i < last else before
+    last = grid_phi.shape[0] - 1
+    before = grid_phi[i] - grid_phi[i - 1] if i > 0 else 0.0
+    return max(grid_phi[i + 1] - grid_phi[i], before) if i < last else before
 
 
 @kernel
@@ -202,7 +202,7 @@ def windows_last(
         here = 0 if same else i
         along, swing = _ENDLESS, 0.0
         for j in range(first.shape[1]):
-            way = abs(first[i, j]) + _LEAST_WAY
-            along = min(along, most[here, j] / way)
-            swing = max(swing, way / jerk[here, j])
+            slope = abs(first[i, j]) + _LEAST_SLOPE
+            along = min(along, most[here, j] / slope)
+            swing = max(swing, slope / jerk[here, j])
         lasting[i] = _SWING * min(along * swing, by_speed, longest)

@@ -7,7 +7,7 @@ from ropsim.spatial import Array, frozen, record
 
 
 @record
-class Ways:
+class PathMotion:
     """Motion along r paths at k nominal times, each of shape (k, r).
 
     With the place s on a path, in its unit: the limits hold for d²s/dt² and d³s/dt³ by real time t. Where the
@@ -29,7 +29,7 @@ class Ways:
         for name in ("speeds", "accelerations", "most_accelerations", "most_jerks"):
             object.__setattr__(self, name, frozen(getattr(self, name)))
 
-    def beside(self, points: JointPoints) -> tuple[Array, Array]:
+    def with_joints(self, points: JointPoints) -> tuple[Array, Array]:
         """Return first and second derivatives of n joints and r places by nominal time, (k, n + r).
 
         Args:
@@ -42,24 +42,24 @@ class Ways:
         return first, second
 
 
-def no_ways(k: int) -> Ways:
+def no_path_motion(k: int) -> PathMotion:
     """Return the record of a motion without paths of this kind at k times."""
-    return Ways(*(np.empty((k, 0)) for _ in range(4)))
+    return PathMotion(*(np.empty((k, 0)) for _ in range(4)))
 
 
-def steps_allowed(ways: Ways, phi: Array, period: float) -> Array:
+def steps_allowed(paths: PathMotion, phi: Array, period: float) -> Array:
     """Return by how much d²s/dt² may differ from that of the control tick before, shape (k, r).
 
     Limits may change from tick to tick; the lesser one counts, but never less than the value of the plan
     itself between the two. Where there is no limit at one of them, there is none.
 
     Args:
-        ways: at control ticks.
+        paths: at control ticks.
         phi: nominal times there [s], rising, shape (k,).
         period: of the control ticks [s].
     """
-    jerks, gone = ways.most_jerks, np.diff(phi)[:, None]
-    planned = np.abs(np.diff(ways.accelerations, axis=0)) / np.where(gone > 0.0, gone, np.inf)
+    jerks, gone = paths.most_jerks, np.diff(phi)[:, None]
+    planned = np.abs(np.diff(paths.accelerations, axis=0)) / np.where(gone > 0.0, gone, np.inf)
     lesser = np.where(np.isinf(jerks[1:] + jerks[:-1]), np.inf, np.minimum(jerks[1:], jerks[:-1]))
     between = np.maximum(lesser, planned)
     return np.asarray(period * np.concatenate((jerks[:1], between)))

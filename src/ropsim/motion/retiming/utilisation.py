@@ -7,7 +7,7 @@ import numpy as np
 from ropsim.motion.curves.path import JointPoints
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.retiming.joint_bounds import JointBounds, no_torques
-from ropsim.motion.retiming.tool_paths import Ways, no_ways, steps_allowed
+from ropsim.motion.retiming.tool_paths import PathMotion, no_path_motion, steps_allowed
 from ropsim.motion.retiming.utilisation_kernel import (
     AT_ONCE,
     ROWS_OF_MOTION,
@@ -35,16 +35,16 @@ class Going:
 
     Attributes:
         points: the joints by nominal time, k rows.
-        ways: paths with separate limits, at the same ticks.
+        path_motion: paths with separate limits, at the same ticks.
         timing: nominal times [s], rates, and changes of these [1/s], shape (3, k).
-        places: nominal times between which excesses are expressed [s], rising, shape (m,).
+        grid_phi: nominal times between which excesses are expressed [s], rising, shape (m,).
         still: torque of creeping there [N m | N], shape (m, n), or (m, 0) where torque does not count.
     """
 
     points: JointPoints
-    ways: Ways
+    path_motion: PathMotion
     timing: Array
-    places: Array
+    grid_phi: Array
     still: Array
 
 
@@ -64,7 +64,7 @@ class Utilisation:
     lacks: Array
 
     @property
-    def is_kept(self) -> bool:
+    def is_within_limits(self) -> bool:
         """Return whether no limit is exceeded but by rounding."""
         most = 1.0 + ROUNDING
         return bool(self.peaks[:TORQUE].max() <= most and self.used[TORQUE].max() <= most)
@@ -96,10 +96,10 @@ def utilisation_as_planned(rows: JointPoints, bounds: JointBounds, period: float
     """
     limits = np.array([bounds.speed, bounds.acceleration, period * bounds.jerk])
     k, n = rows.q.shape
-    used, peaks, room = np.empty((4, k)), np.zeros(4), np.empty((ROWS_OF_MOTION, AT_ONCE * n))
+    used, peaks, work = np.empty((4, k)), np.zeros(4), np.empty((ROWS_OF_MOTION, AT_ONCE * n))
     used[TORQUE] = 0.0
-    used_by_motion(rows.d1.reshape(-1), rows.d2.reshape(-1), limits, room, used, peaks)
-    return _told(rows, used, peaks)
+    used_by_motion(rows.d1.reshape(-1), rows.d2.reshape(-1), limits, work, used, peaks)
+    return _without_excess(rows, used, peaks)
 
 
 def with_torque(plain: Utilisation, rows: JointPoints, torque: Array, bounds: JointBounds) -> Utilisation:
@@ -116,14 +116,14 @@ def with_torque(plain: Utilisation, rows: JointPoints, torque: Array, bounds: Jo
     """
     assert bounds.effort is not None
     used, peaks = plain.used.copy(), plain.peaks.copy()
-    room = np.empty((ROWS_OF_TORQUE, AT_ONCE * torque.shape[1]))
-    used_by_torque(torque.reshape(-1), bounds.effort, room, used, peaks)
+    work = np.empty((ROWS_OF_TORQUE, AT_ONCE * torque.shape[1]))
+    used_by_torque(torque.reshape(-1), bounds.effort, work, used, peaks)
     if not peaks[TORQUE] < np.inf and not np.isfinite(torque).all():
         raise no_torques(torque, rows.q)
-    return _told(rows, used, peaks)
+    return _without_excess(rows, used, peaks)
 
 
-def _told(rows: JointPoints, used: Array, peaks: Array) -> Utilisation:
+def _without_excess(rows: JointPoints, used: Array, peaks: Array) -> Utilisation:
     if not peaks.max() < np.inf:
         _check(rows, used)
     return Utilisation(used, peaks, np.zeros((len(used), 2)))
@@ -136,7 +136,7 @@ def _check(rows: JointPoints, used: Array) -> None:
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, allowed are finite numbers"))
 
 
-def strain(
+def utilisation_of_rows(
     rows: JointPoints,
     torque: Array | None,
     bounds: JointBounds,
@@ -162,18 +162,18 @@ def strain(
         torque = np.empty((k, 0))
     if going is None:
         ends, still = np.array([0.0, np.inf]), np.zeros((2, torque.shape[1]))
-        going = Going(rows, no_ways(k), np.stack((np.zeros(k), np.ones(k), np.zeros(k))), ends, still)
-    ways, qd, qdd = going.ways, rows.d1, rows.d2
-    if ways.speeds.shape[1]:
-        of_ways = np.empty((2, *ways.speeds.shape))
-        by_real_time(ways.speeds, ways.accelerations, going.timing, of_ways)
-        qd, qdd = np.hstack((qd, of_ways[0])), np.hstack((qdd, of_ways[1]))
-    first, second = ways.beside(going.points)
-    used, peaks, lacks = np.zeros((4, k)), np.zeros(4), np.zeros((4, len(going.places)))
+        going = Going(rows, no_path_motion(k), np.stack((np.zeros(k), np.ones(k), np.zeros(k))), ends, still)
+    paths, qd, qdd = going.path_motion, rows.d1, rows.d2
+    if paths.speeds.shape[1]:
+        of_paths = np.empty((2, *paths.speeds.shape))
+        by_real_time(paths.speeds, paths.accelerations, going.timing, of_paths)
+        qd, qdd = np.hstack((qd, of_paths[0])), np.hstack((qdd, of_paths[1]))
+    first, second = paths.with_joints(going.points)
+    used, peaks, lacks = np.zeros((4, k)), np.zeros(4), np.zeros((4, len(going.grid_phi)))
     load = JointLoad(np.ascontiguousarray(qd), np.ascontiguousarray(qdd), torque)
     path, grid, limits = (
         Derivatives(first, second),
-        Grid(going.places, going.still),
+        Grid(going.grid_phi, going.still),
         _limits(bounds, going, period),
     )
     inverse, out = np.empty((4, first.shape[1])), Used(used, peaks, lacks)
@@ -187,14 +187,14 @@ def _limits(bounds: JointBounds, going: Going, period: float) -> Array:
 
     They are in the order of speed, acceleration, change of acceleration in one tick, and torque.
     """
-    n, ways = len(bounds.speed), going.ways
-    k, r = ways.speeds.shape
+    n, paths = len(bounds.speed), going.path_motion
+    k, r = paths.speeds.shape
     effort = np.full(n, np.inf) if bounds.effort is None else bounds.effort
     joints = np.array([bounds.speed, bounds.acceleration, period * bounds.jerk, effort])[:, None, :]
     if r == 0:
         return joints
     limits = np.full((4, k, n + r), np.inf)
     limits[:, :, :n] = joints
-    limits[1, :, n:] = np.maximum(ways.most_accelerations, np.abs(ways.accelerations))
-    limits[2, :, n:] = steps_allowed(ways, going.timing[0], period)
+    limits[1, :, n:] = np.maximum(paths.most_accelerations, np.abs(paths.accelerations))
+    limits[2, :, n:] = steps_allowed(paths, going.timing[0], period)
     return limits

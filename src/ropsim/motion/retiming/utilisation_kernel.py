@@ -109,7 +109,7 @@ MOST_AT_ONCE = 2.0
 """Greatest excess that is made good at once."""
 STEADY = 1.0 / 3.0
 """Power of a jerk's excess by which the rate falls where the path itself causes it."""
-BESIDE = 0.2
+SWING_SHARE = 0.2
 """Share of a lack of width that accelerations make good."""
 SPEED, ACCELERATION, JERK, TORQUE = range(4)
 """Rows of what is used, of peaks and of limits, in the order of `Quantity`."""
@@ -147,11 +147,11 @@ class Grid(NamedTuple):
     """Points at which a motion is planned.
 
     Attributes:
-        places: nominal times [s], rising, shape (m,).
+        phi: nominal times [s], rising, shape (m,).
         still: torque of creeping there [N m | N], shape (m, n), or (m, 0).
     """
 
-    places: Array1
+    phi: Array1
     still: Array2
 
 
@@ -203,13 +203,13 @@ def utilisation_of(
         out: the results.
     """
     qd, qdd, torque = load.qd, load.qdd, load.torque
-    places, still, used, peaks = grid.places, grid.still, out.used, out.peaks
-    way, last, constant = 0, places.shape[0] - 2, limits.shape[1] == 1
+    grid_phi, still, used, peaks = grid.phi, grid.still, out.used, out.peaks
+    interval, last, constant = 0, grid_phi.shape[0] - 2, limits.shape[1] == 1
     kinds = 4 if torque.shape[1] else 3
     for k in range(qd.shape[0]):
         before = max(k - 1, 0)
-        while way < last and places[way + 1] <= timing[0, k]:
-            way += 1
+        while interval < last and grid_phi[interval + 1] <= timing[0, k]:
+            interval += 1
         here = 0 if constant else k
         if k == 0 or not constant:
             _invert(limits, here, inverse)
@@ -228,15 +228,15 @@ def utilisation_of(
                     peaks[kind] = max(peaks[kind], share)
                     continue
                 if kind == TORQUE:
-                    past = (timing[0, k] - places[way]) / (places[way + 1] - places[way])
-                    held = still[way, j] + past * (still[way + 1, j] - still[way, j])
+                    past = (timing[0, k] - grid_phi[interval]) / (grid_phi[interval + 1] - grid_phi[interval])
+                    held = still[interval, j] + past * (still[interval + 1, j] - still[interval, j])
                     held = math.copysign(held, held * torque[k, j])
                     share = (value - held) / max(limits[TORQUE, here, j] - held, _TINY)
                 peaks[kind] = max(peaks[kind], share)
                 lack = math.log(min(max(share, 1.0), MOST_AT_ONCE)) + more
                 given = _given_up(kind, lack, path, timing, j, before, k)
                 for row in range(len(given)):
-                    for i in range(way, way + 2):
+                    for i in range(interval, interval + 2):
                         out.lacks[row, i] = max(out.lacks[row, i], given[row])
 
 
@@ -310,7 +310,7 @@ def _given_up(
     """Return what is to be given up for a lack, in the order of the rows of lacks."""
     if kind == JERK:
         by_path, bend, change = _causes(path, timing, j, before, now)
-        return by_path * STEADY * lack, (bend + BESIDE * change) * lack, lack * change, 0.0
+        return by_path * STEADY * lack, (bend + SWING_SHARE * change) * lack, lack * change, 0.0
     if kind == ACCELERATION:
         return 0.0, lack, 0.0, 0.0
     if kind == TORQUE:

@@ -24,9 +24,9 @@ def durations(q_start: Array, q_ends: Array, limits: JointMotionLimits) -> Array
     Raises:
         ProfileError: M540, where a limit is not positive or a coordinate is not finite.
     """
-    way = np.abs(q_ends - q_start)  # (m, n)
-    moves = ~(way.max(axis=1) <= ZERO_LENGTH)  # so that NaN is planned, and refused
-    inverse = np.maximum(way, 1e-300)
+    distances = np.abs(q_ends - q_start)  # (m, n)
+    moves = ~(distances.max(axis=1) <= ZERO_LENGTH)  # so that NaN is planned, and refused
+    inverse = np.maximum(distances, 1e-300)
     speed = (limits.speed / inverse).min(axis=1).tolist()
     acceleration = (limits.acceleration / inverse).min(axis=1).tolist()
     jerk = (limits.jerk / inverse).min(axis=1).tolist()

@@ -57,24 +57,24 @@ def jerk_limited(bounds: Array, counts: Array) -> PiecewiseLaw:
         ProfileError: M540, as there.
     """
     ends = np.empty(len(counts))
-    ways, rises, rows, stage_ends, result = _rooms(len(bounds))
-    plan_longer(bounds, counts, ways, rises, rows, stage_ends, ends, result)
+    tables, rises, rows, limit_ends, result = _work_arrays(len(bounds))
+    plan_longer(bounds, counts, tables, rises, rows, limit_ends, ends, result)
     return PiecewiseLaw(rows[:, : _count(result, bounds)].copy(), ends)
 
 
 def _planned(bounds: Array) -> PiecewiseLaw:
     """Return the time law of path segments, rows as for `plan_segments`, shape (p, 6)."""
-    ways, rises, rows, ends, result = _rooms(len(bounds))
-    time_law_kernel.plan_segments(bounds, ways, rises, rows, ends, result)
+    tables, rises, rows, ends, result = _work_arrays(len(bounds))
+    time_law_kernel.plan_segments(bounds, tables, rises, rows, ends, result)
     return PiecewiseLaw(rows[:, : _count(result, bounds)].copy(), ends)
 
 
-def _rooms(p: int) -> tuple[Array, Array, Array, Array, Array]:
+def _work_arrays(p: int) -> tuple[Array, Array, Array, Array, Array]:
     """Return the work arrays and outputs of p path segments for `plan_segments`."""
     if p == 0:
-        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, "a way has no pieces, allowed is one or more"))
-    ways, rises = np.empty((3, 12, p + 1)), np.empty((3, 8, _SEGMENTS * p))
-    return ways, rises, np.empty((8, 2 * _SEGMENTS * p)), np.empty(p), np.empty(2)
+        raise ProfileError(WRONG_PROFILE_REQUEST.at(None, "a path has no segments, allowed is one or more"))
+    tables, rises = np.empty((3, 12, p + 1)), np.empty((3, 8, _SEGMENTS * p))
+    return tables, rises, np.empty((8, 2 * _SEGMENTS * p)), np.empty(p), np.empty(2)
 
 
 def _count(result: Array, bounds: Array) -> int:
@@ -85,7 +85,7 @@ def _count(result: Array, bounds: Array) -> int:
     return int(count)
 
 
-def _wrong_words(piece: int, bounds: Array) -> str:
+def _wrong_words(path_segment: int, bounds: Array) -> str:
     """Return the fault in the bounds of a path segment, shape (6,)."""
     length, speed, acceleration, jerk, ratio, horizon = bounds.tolist()
     found = (
@@ -93,6 +93,6 @@ def _wrong_words(piece: int, bounds: Array) -> str:
         f"jerk {jerk:g}, ratio {ratio:g}, horizon {int(horizon)}"
     )
     return (
-        f"piece {piece} has {found}; allowed are numbers from {LEAST:g} to {MOST:g}, for the ratio also 0, "
-        "and a horizon that is -1 or not before the piece"
+        f"path segment {path_segment} has {found}; allowed are numbers from {LEAST:g} to {MOST:g}, "
+        "for the ratio also 0, and a horizon that is -1 or not before the path segment"
     )

@@ -17,13 +17,13 @@ class LawRows:
 
     Attributes:
         path_segments: index of the path segment.
-        places: parameter s of that path segment.
+        parameters: parameter s of that path segment.
         speeds: ds/dt [1/s].
         accelerations: d²s/dt² [1/s²].
     """
 
     path_segments: Indices
-    places: Array
+    parameters: Array
     speeds: Array
     accelerations: Array
 
@@ -53,7 +53,7 @@ class TimeLaw(Protocol):
     def at(self, times: npt.ArrayLike) -> LawRows:
         """Return where the motion is at times [s], shape (k,)."""
 
-    def times_of(self, path_segments: npt.ArrayLike, places: npt.ArrayLike) -> Array:
+    def times_of(self, path_segments: npt.ArrayLike, s: npt.ArrayLike) -> Array:
         """Return when the motion is at path parameters of segments [s], shape (k,)."""
 
 

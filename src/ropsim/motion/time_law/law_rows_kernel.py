@@ -18,7 +18,7 @@ class _Segment(NamedTuple):
 
     number: float
     start: float
-    place: float
+    s: float
     v: float
     a: float
     j: float
@@ -47,8 +47,8 @@ def rows_at(segments: Array2, duration: float, times: Array1, out: Array2) -> No
         end = k + 1
         while end < times.shape[0] and start <= max(times[end], 0.0) < until:
             end += 1
-        place, v, a, j = segments[2, row], segments[3, row], segments[4, row], segments[5, row]
-        _within(_Segment(segments[0, row], start, place, v, a, j, segments[7, row]), times, k, end, out)
+        s, v, a, j = segments[2, row], segments[3, row], segments[4, row], segments[5, row]
+        _within(_Segment(segments[0, row], start, s, v, a, j, segments[7, row]), times, k, end, out)
         k = end
 
 
@@ -58,7 +58,7 @@ def _within(segment: _Segment, times: Array, first: int, until: int, out: Array)
     for k in range(first, until):
         u = max(times[k], 0.0) - segment.start
         out[0, k] = segment.number
-        out[1, k] = min(segment.place + u * (v + u * (0.5 * a + u * (j * SIXTH))), segment.end)
+        out[1, k] = min(segment.s + u * (v + u * (0.5 * a + u * (j * SIXTH))), segment.end)
         out[2, k] = max(v + u * (a + u * (0.5 * j)), 0.0)
         out[3, k] = a + u * j
 

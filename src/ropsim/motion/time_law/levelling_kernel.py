@@ -18,24 +18,28 @@ NEWTON = 2e-8
 SIXTH, THIRD = 1.0 / 6.0, 1.0 / 3.0
 
 
-def stoppable_speed(way: Array, path_segment: int, place: float, ahead: int) -> float:
+def stoppable_speed(table: Array, path_segment: int, s: float, ahead: int) -> float:
     """Return a speed, without acceleration, from which the motion can stop before a horizon.
 
     Segments behind the horizon do not matter if both are equally fast. The backward pass from there is kept.
     """
-    known, speed = int(way[5, ahead]), 0.0
+    known, speed = int(table[5, ahead]), 0.0
     if path_segment > known:
         return speed
-    if way[10, ahead] >= path_segment:
-        known, speed = int(way[10, ahead]), way[11, ahead]
+    if table[10, ahead] >= path_segment:
+        known, speed = int(table[10, ahead]), table[11, ahead]
     for k in range(known, path_segment, -1):
-        speed = reached_within(speed, way[0, k], way[2, k], way[3, k], way[4, k])
-        if speed == way[9, k]:
-            speed = way[9, path_segment + 1]
+        speed = reached_within(speed, table[0, k], table[2, k], table[3, k], table[4, k])
+        if speed == table[9, k]:
+            speed = table[9, path_segment + 1]
             break
-    way[10, ahead], way[11, ahead] = path_segment, speed
+    table[10, ahead], table[11, ahead] = path_segment, speed
     return reached_within(
-        speed, way[0, path_segment] - place, way[2, path_segment], way[3, path_segment], way[1, path_segment]
+        speed,
+        table[0, path_segment] - s,
+        table[2, path_segment],
+        table[3, path_segment],
+        table[1, path_segment],
     )
 
 
@@ -80,25 +84,25 @@ def _reached(speed: float, length: float, acceleration: float, jerk: float) -> f
     return speed + w * w
 
 
-def crossing_time(way: float, v: float, a: float, j: float) -> float:
+def crossing_time(distance: float, v: float, a: float, j: float) -> float:
     """Return the time over a way with speed v and acceleration a at its start, before a jerk j < 0 ends a.
 
     The way is convex in time then, so that Newton's steps fall to the root from above.
     """
-    if way <= 0.0:
+    if distance <= 0.0:
         return 0.0
     t: float = inf
     if v > 0.0:
-        t = way / v
+        t = distance / v
     if j > 0.0:
-        if a * t * t > 2.0 * way:
-            t = sqrt(2.0 * way / a)
-        if j * t * t * t > 6.0 * way:
-            t = (6.0 * way / j) ** (1.0 / 3.0)
+        if a * t * t > 2.0 * distance:
+            t = sqrt(2.0 * distance / a)
+        if j * t * t * t > 6.0 * distance:
+            t = (6.0 * distance / j) ** (1.0 / 3.0)
     else:
         t = min(t, -a / j)
     for _ in range(ROUNDS):
-        step = (t * (v + t * (0.5 * a + t * (j * SIXTH))) - way) / (v + t * (a + 0.5 * t * j))
+        step = (t * (v + t * (0.5 * a + t * (j * SIXTH))) - distance) / (v + t * (a + 0.5 * t * j))
         t -= step
         if not step > NEWTON * t:
             break
@@ -106,7 +110,7 @@ def crossing_time(way: float, v: float, a: float, j: float) -> float:
 
 
 def level_off(
-    way: Array, path_segment: int, place: float, v: float, a: float, since: int
+    table: Array, path_segment: int, s: float, v: float, a: float, since: int
 ) -> tuple[int, int, float, float, int, float]:
     """Level the motion off from a place; `since` is the first path segment whose horizon counts.
 
@@ -116,34 +120,34 @@ def level_off(
         where it is too fast; how much faster the end is with a little more acceleration at the start, as a
         share of that.
     """
-    p = way.shape[1] - 1
+    p = table.shape[1] - 1
     fault, k, where = 0, path_segment, 0
     bent, gained, shifted = 1.0, 0.0, 0.0  # acceleration, speed and place at the same time, as shares
     while True:
-        length, jerk = way[0, k], way[3, k]
+        length, jerk = table[0, k], table[3, k]
         t = a / jerk
-        end, top = place + t * (v + a * t * THIRD), v + 0.5 * a * t
+        end, top = s + t * (v + a * t * THIRD), v + 0.5 * a * t
         if end <= length or k + 1 == p:
             break
-        t = crossing_time(length - place, v, a, -jerk)
+        t = crossing_time(length - s, v, a, -jerk)
         shifted += t * (gained + 0.5 * t * bent)
         gained += t * bent
         v += t * (a - 0.5 * jerk * t)
         a = max(a - jerk * t, 0.0)
-        place = 0.0
+        s = 0.0
         k += 1
-        bent += (jerk - way[3, k]) * shifted / v
-        if fault == 0 and (v > way[4, k] or a > way[2, k]):
+        bent += (jerk - table[3, k]) * shifted / v
+        if fault == 0 and (v > table[4, k] or a > table[2, k]):
             fault, where = 1, k
     gained += t * bent
     if fault == 0:
         if end > length:
             fault, where = 1, p
-        elif top > way[1, k]:
+        elif top > table[1, k]:
             fault, where = 2, k
         else:
             for i in range(since, k):
-                if way[5, i] < inf and top > stoppable_speed(way, k, end, i):
+                if table[5, i] < inf and top > stoppable_speed(table, k, end, i):
                     return 1, k, end, top, i + 1, gained
     return fault, k, end, top, where, gained
 
@@ -163,15 +167,15 @@ def state_after(
     """
     if t <= until:
         return t * (v + t * (0.5 * a + t * (jerk * SIXTH))), v + t * (a + 0.5 * jerk * t), a + jerk * t
-    place, v = until * (v + until * (0.5 * a + until * (jerk * SIXTH))), v + until * (a + 0.5 * jerk * until)
+    s, v = until * (v + until * (0.5 * a + until * (jerk * SIXTH))), v + until * (a + 0.5 * jerk * until)
     rest = t - until
-    return place + rest * (v + 0.5 * most * rest), v + most * rest, most
+    return s + rest * (v + 0.5 * most * rest), v + most * rest, most
 
 
-def levelled_place(place: float, v: float, a: float, jerk: float) -> float:
+def levelled_parameter(s: float, v: float, a: float, jerk: float) -> float:
     """Return the place at which a motion is levelled off, were its path segment endless."""
     t = a / jerk
-    return place + t * (v + a * t * THIRD)
+    return s + t * (v + a * t * THIRD)
 
 
 def between(x1: float, x2: float, share: float) -> float:

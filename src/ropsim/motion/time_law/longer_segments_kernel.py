@@ -9,7 +9,7 @@ from ropsim.spatial import Array
 def plan_longer(
     bounds: Array2,
     counts: Array1,
-    ways: Array3,
+    tables: Array3,
     rises: Array3,
     rows: Array2,
     ends: Array1,
@@ -22,14 +22,14 @@ def plan_longer(
         bounds: of the path limits, see `plan_segments`, and so are ways, timings, rows and ends, shape (s,
             6).
         counts: how many path limits are one path segment, in order, shape (c,); their sum is s.
-        ways: see there.
+        tables: see there.
         rises: see there.
         rows: see there; they count path segments.
         ends: see there, of the path limits, shape (s,).
         longer_ends: where the times [s] go at which the path segments end, shape (c,).
         result: see there.
     """
-    plan_segments(bounds, ways, rises, rows, ends, result)
+    plan_segments(bounds, tables, rises, rows, ends, result)
     if result[0] >= 0.0:
         _over_longer(rows, int(result[0]), ends, counts, longer_ends)
 

@@ -18,16 +18,16 @@ MET = 1e-13
 """Relative; a rise and a fall that leave no more of their way between them meet."""
 
 
-def write_meeting(ways: Array, rises: Array, first: int, last: int, rows: Array, n: int) -> int:
+def write_meeting(tables: Array, rises: Array, first: int, last: int, rows: Array, n: int) -> int:
     """Write a rise from one boundary and a fall to another; return the number of all segments.
 
     The highest speed at which a rise is levelled off before a fall is searched by `root_share`.
     """
-    there, back, gone, p = ways[0], ways[1], ways[2, 1], ways.shape[2] - 1
+    there, back, gone, p = tables[0], tables[1], tables[2, 1], tables.shape[2] - 1
     low = max(there[4, first], there[4, last])
     top = max(min(there[8, first], back[8, p - last]), low)
     here, seen, ended = 0.0, 0.0, False
-    other_end, other_room, before, before_room = low, 0.0, low, 0.0
+    other_end, other_gap, before, before_gap = low, 0.0, low, 0.0
     row, t, k, x = int(there[6, first]), 0.0, first, 0.0
     other, u, i, y = int(back[6, p - last]), 0.0, last, 0.0
     for step in range(ROUNDS):
@@ -35,25 +35,25 @@ def write_meeting(ways: Array, rises: Array, first: int, last: int, rows: Array,
         other, u, i, y = _summit(back, rises[1], p - last, top)
         i = p - 1 - i
         y = there[0, i] - y
-        room = y - x
+        gap = y - x
         if k < i:
-            room = (there[0, k] - x) + (gone[i] - gone[k + 1]) + y
+            gap = (there[0, k] - x) + (gone[i] - gone[k + 1]) + y
         elif i < k:
-            room = (y - there[0, i]) - (gone[k] - gone[i + 1]) - x
-        if ended or (step == 0 and room >= 0.0) or 0.0 <= room <= MET * (gone[last] - gone[first]):
+            gap = (y - there[0, i]) - (gone[k] - gone[i + 1]) - x
+        if ended or (step == 0 and gap >= 0.0) or 0.0 <= gap <= MET * (gone[last] - gone[first]):
             break
         if step == 1:
-            room = max(room, 0.0)
-        if step > 0 and (room >= 0.0) == (seen >= 0.0):
-            before, before_room = here, seen
+            gap = max(gap, 0.0)
+        if step > 0 and (gap >= 0.0) == (seen >= 0.0):
+            before, before_gap = here, seen
         elif step > 0:
-            before, before_room = other_end, other_room
-            other_end, other_room = here, seen
-        here, seen = top, room
+            before, before_gap = other_end, other_gap
+            other_end, other_gap = here, seen
+        here, seen = top, gap
         if step == 0:
             top = low
             continue
-        share = 0.5 if step == 1 else root_share(here, seen, other_end, other_room, before, before_room)
+        share = 0.5 if step == 1 else root_share(here, seen, other_end, other_gap, before, before_gap)
         top = between(here, other_end, share)
         if not min(here, other_end) < top < max(here, other_end) or step == ROUNDS - 2:
             top, ended = here if seen >= 0.0 else other_end, True
@@ -76,13 +76,13 @@ def write_meeting(ways: Array, rises: Array, first: int, last: int, rows: Array,
     return n
 
 
-def _summit(way: Array, rises: Array, start: int, top: float) -> tuple[int, float, int, float]:
+def _summit(table: Array, rises: Array, start: int, top: float) -> tuple[int, float, int, float]:
     """Return where the rise from a boundary is levelled off to a speed, and where that ends.
 
     Returns:
         segment and time in it; path segment and place.
     """
-    first, last = int(way[6, start]), int(way[7, start])
+    first, last = int(table[6, start]), int(table[7, start])
     row, high = first - 1, last - 1
     while high - row > 1:
         middle = (row + high) // 2
@@ -92,9 +92,9 @@ def _summit(way: Array, rises: Array, start: int, top: float) -> tuple[int, floa
             row = middle
     row = high
     k, v, a, h = int(rises[0, row]), rises[2, row], rises[3, row], rises[5, row]
-    most = rises[7, row + 1] if row + 1 < last else way[8, start]
+    most = rises[7, row + 1] if row + 1 < last else table[8, start]
     before, after, under, over = 0.0, h, rises[7, row] - top, most - top
-    jerk, change, t = way[3, k], rises[4, row], 0.0
+    jerk, change, t = table[3, k], rises[4, row], 0.0
     if over <= 0.0:
         t = h
     elif under >= 0.0:
@@ -104,12 +104,12 @@ def _summit(way: Array, rises: Array, start: int, top: float) -> tuple[int, floa
     elif a > 0.0:
         t = (top - v - 0.5 * a * a / jerk) / a
     t = min(max(t, 0.0), h)
-    path_segment, place = k, 0.0
+    path_segment, s = k, 0.0
     for step in range(ROUNDS):
         x = rises[1, row] + t * (v + t * (0.5 * a + t * (change * SIXTH)))
         a1 = max(a + change * t, 0.0)
         v1 = v + t * (a + 0.5 * change * t)
-        _, path_segment, place, found, _, slope = level_off(way, k, min(x, way[0, k]), v1, a1, k)
+        _, path_segment, s, found, _, slope = level_off(table, k, min(x, table[0, k]), v1, a1, k)
         if (step == 0 and path_segment == k) or not under < 0.0 < over or abs(found - top) <= LEVELLED * top:
             break
         if found <= top:
@@ -122,11 +122,11 @@ def _summit(way: Array, rises: Array, start: int, top: float) -> tuple[int, floa
             if not before < t < after:
                 t = before
                 under = 0.0
-    return row, t, path_segment, min(place, way[0, path_segment])
+    return row, t, path_segment, min(s, table[0, path_segment])
 
 
 def _copy(
-    way: Array, rises: Array, start: int, row: int, t: float, rows: Array, n: int
+    table: Array, rises: Array, start: int, row: int, t: float, rows: Array, n: int
 ) -> tuple[int, int, float]:
     """Write the rise from a boundary until a time of a segment, and levelled off behind it.
 
@@ -134,7 +134,7 @@ def _copy(
         the number of all segments, and path segment and place at the end.
     """
     v, a, change = 0.0, 0.0, 0.0
-    for i in range(int(way[6, start]), row + 1):
+    for i in range(int(table[6, start]), row + 1):
         h = rises[5, i] if i < row else t
         v, a, change = rises[2, i], rises[3, i], rises[4, i]
         _add_row(rows, n, int(rises[0, i]), rises[1, i], v, a, change, h)
@@ -143,15 +143,15 @@ def _copy(
     k = int(rises[0, row])
     x = rises[6, row]
     if t < rises[5, row]:
-        x = min(rises[1, row] + t * (v + t * (0.5 * a + t * (change * SIXTH))), way[0, k])
+        x = min(rises[1, row] + t * (v + t * (0.5 * a + t * (change * SIXTH))), table[0, k])
     rows[7, n - 1] = x
     v, a = v + t * (a + 0.5 * change * t), max(a + change * t, 0.0)
     end, levelled = x, False
     while not levelled:
-        length, jerk = way[0, k], way[3, k]
+        length, jerk = table[0, k], table[3, k]
         t = a / jerk
         end = x + t * (v + a * t * THIRD)
-        levelled = end <= length or k + 2 == way.shape[1]
+        levelled = end <= length or k + 2 == table.shape[1]
         if not levelled:
             t = crossing_time(length - x, v, a, -jerk)
         _add_row(rows, n, k, x, v, a, -jerk, t)
@@ -160,19 +160,19 @@ def _copy(
         v, a = v + t * (a - 0.5 * jerk * t), max(a - jerk * t, 0.0)
         if not levelled:
             k, x = k + 1, 0.0
-    return n, k, min(end, way[0, k])
+    return n, k, min(end, table[0, k])
 
 
 def _add_row(
     rows: Array,
     n: int,
     path_segment: int,
-    place: float,
+    s: float,
     v: float,
     a: float,
     jerk: float,
     duration: float,
 ) -> None:
     """Write a segment except its time and the path parameter at its end."""
-    rows[0, n], rows[2, n], rows[3, n] = path_segment, place, v
+    rows[0, n], rows[2, n], rows[3, n] = path_segment, s, v
     rows[4, n], rows[5, n], rows[6, n] = a, jerk, duration

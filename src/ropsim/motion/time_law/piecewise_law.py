@@ -44,7 +44,7 @@ class PiecewiseLaw:
         return self.segments[1, :]
 
     @property
-    def places(self) -> Array:
+    def parameters(self) -> Array:
         """Return s at the start of each segment, shape (m,)."""
         return self.segments[2, :]
 
@@ -73,12 +73,12 @@ class PiecewiseLaw:
         law_rows_kernel.rows_at(self.segments, self.duration, requested, out)
         return LawRows(out[0].astype(np.int64), out[1], out[2], out[3])
 
-    def times_of(self, pieces: npt.ArrayLike, places: npt.ArrayLike) -> Array:
+    def times_of(self, path_segments: npt.ArrayLike, s: npt.ArrayLike) -> Array:
         """Return when the motion is at places of path segments [s].
 
         Args:
-            pieces: index of one for all places, or of one for each, shape (k,); quickest in order.
-            places: values of s, shape (k,); those outside of their path segment count as its start or end.
+            path_segments: index of one for all places, or of one for each, shape (k,); quickest in order.
+            s: values of s, shape (k,); those outside of their path segment count as its start or end.
 
         Returns:
             the times, shape (k,), in the order of the places.
@@ -86,22 +86,22 @@ class PiecewiseLaw:
         Raises:
             IndexError: the path segment does not exist.
         """
-        requested = np.ascontiguousarray(places, dtype=np.float64)
+        requested = np.ascontiguousarray(s, dtype=np.float64)
         out, numbers = np.empty((2, len(requested)))
-        numbers[:] = pieces
+        numbers[:] = path_segments
         result = np.empty(1)
         law_times_kernel.times_at(self.segments, self.ends, numbers, requested, out, result)
         if result[0] < len(requested):
-            raise IndexError(f"piece {pieces!r} of {len(self.ends)}")
+            raise IndexError(f"path segment {path_segments!r} of {len(self.ends)}")
         return out
 
-    def time_of(self, path_segment: int, place: float) -> float:
+    def time_of(self, path_segment: int, s: float) -> float:
         """Return when the motion is at a place of a path segment [s]; see `times_of`.
 
         Args:
             path_segment: index of it.
-            place: value of s.
+            s: value of s.
         """
         out = np.empty(1)
-        law_times_kernel.time_at(self.segments, self.ends, path_segment, place, out)
+        law_times_kernel.time_at(self.segments, self.ends, path_segment, s, out)
         return float(out[0])

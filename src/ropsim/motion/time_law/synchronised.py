@@ -50,13 +50,13 @@ class SynchronisedJoints:
         if min(counts) != max(counts):
             message = f"starts, ends and limits are of {counts} joints, allowed is one number of them"
             raise ProfileError(WRONG_PROFILE_REQUEST.at(None, message))
-        way, bounds = q_end - q_start, np.array(each[2:])
-        shapes, result = np.empty((3, len(way))), np.empty(2)
-        synchronised_kernel.plan_together(way, bounds, shapes, result)
+        distances, bounds = q_end - q_start, np.array(each[2:])
+        shapes, result = np.empty((3, len(distances))), np.empty(2)
+        synchronised_kernel.plan_together(distances, bounds, shapes, result)
         length, wrong = result.tolist()
         if length < 0.0:
-            raise ProfileError(WRONG_PROFILE_REQUEST.at(None, _wrong_words(int(wrong), way, bounds)))
-        if not (abs(way) > ZERO_LENGTH).any():
+            raise ProfileError(WRONG_PROFILE_REQUEST.at(None, _wrong_words(int(wrong), distances, bounds)))
+        if not (abs(distances) > ZERO_LENGTH).any():
             length = 0.0
         shapes.flags.writeable = False
         made = {"q_start": q_start, "q_end": q_end, "length": length, "shapes": shapes}
@@ -82,10 +82,10 @@ class SynchronisedJoints:
         return PathRows(SYNCHRONISED, begin, self.length, 5, rows, None)
 
 
-def _wrong_words(joint: int, way: Array, bounds: Array) -> str:
+def _wrong_words(joint: int, distances: Array, bounds: Array) -> str:
     """Return the fault in the distance or the limits of a joint."""
     speed, acceleration, jerk = bounds[:, joint].tolist()
     return (
-        f"joint {joint} has way {way[joint]:g}, speed {speed:g}, acceleration {acceleration:g}, "
-        f"jerk {jerk:g}; allowed are finite ways and limits from {LEAST:g} to {MOST:g}"
+        f"joint {joint} has distance {distances[joint]:g}, speed {speed:g}, acceleration {acceleration:g}, "
+        f"jerk {jerk:g}; allowed are finite distances and limits from {LEAST:g} to {MOST:g}"
     )

@@ -112,21 +112,21 @@ def _half(
         v2 = most * (0.5 * tj + ta)
         v3 = most * (tj + ta)
         context = j * x1 * x1 * x1 / 6.0 + (v1 + 0.5 * most * x2) * x2
-        way = context + ((v2 + (0.5 * most - j * x3 / 6.0) * x3) * x3 + v3 * x4)
+        distance = context + ((v2 + (0.5 * most - j * x3 / 6.0) * x3) * x3 + v3 * x4)
         d1 = 0.5 * j * (x1 - x3) * (x1 + x3) + most * (x2 + x3)
-        q[i] = q_end[i] + sign * way
+        q[i] = q_end[i] + sign * distance
         qd[i] = d1 * v
         qdd[i] = sign * (j * (x1 - x3)) * (v * v) + d1 * a
 
 
 @kernel
-def plan_together(way: Array1, limits: Array2, shapes: Array2, result: Array1) -> None:
+def plan_together(distances: Array1, limits: Array2, shapes: Array2, result: Array1) -> None:
     """Write the profiles that take n joints from rest to rest in one time, the least time of the slowest.
 
     The others are stretched to it: with times longer by a factor f, the jerk is smaller by f³.
 
     Args:
-        way: of the joints with its sign, shape (n,).
+        distances: of the joints with its sign, shape (n,).
         limits: speed, acceleration and jerk of the joints, shape (3, n).
         shapes: where the profiles go: signed jerk at the start, for how long it lasts [s], and how long the
             acceleration lasts that follows [s]; of shape (3, n).
@@ -134,8 +134,8 @@ def plan_together(way: Array1, limits: Array2, shapes: Array2, result: Array1) -
             shape (2,).
     """
     slowest = 0.0
-    for i in range(way.shape[0]):
-        length, speed, acceleration, jerk = abs(way[i]), limits[0, i], limits[1, i], limits[2, i]
+    for i in range(distances.shape[0]):
+        length, speed, acceleration, jerk = abs(distances[i]), limits[0, i], limits[1, i], limits[2, i]
         allowed = LEAST <= speed <= MOST and LEAST <= acceleration <= MOST and LEAST <= jerk <= MOST
         if not (allowed and length <= MOST):
             result[0], result[1] = -1.0, i
@@ -149,13 +149,13 @@ def plan_together(way: Array1, limits: Array2, shapes: Array2, result: Array1) -
             slowest = max(slowest, shapes[0, i])
         else:
             shapes[0, i] = shapes[1, i] = shapes[2, i] = 0.0
-    for i in range(way.shape[0]):
+    for i in range(distances.shape[0]):
         if shapes[0, i] > 0.0:
             factor = slowest / shapes[0, i]
             shapes[1, i] *= factor
             shapes[2, i] *= factor
             rise = 2.0 * shapes[1, i] + shapes[2, i]
-            shapes[0, i] = way[i] / (shapes[1, i] * (shapes[1, i] + shapes[2, i]) * (slowest - rise))
+            shapes[0, i] = distances[i] / (shapes[1, i] * (shapes[1, i] + shapes[2, i]) * (slowest - rise))
     result[0], result[1] = slowest, 0.0
 
 

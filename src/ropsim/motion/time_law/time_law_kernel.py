@@ -34,15 +34,15 @@ LEAST, MOST = 1e-50, 1e50
 
 @kernel
 def plan_segments(
-    bounds: Array2, ways: Array3, rises: Array3, rows: Array2, ends: Array1, result: Array1
+    bounds: Array2, tables: Array3, rises: Array3, rows: Array2, ends: Array1, result: Array1
 ) -> None:
     """Write the segments of constant jerk that take the motion from rest to rest over p path segments.
 
     Args:
         bounds: of the path segments in columns: length, speed, acceleration, jerk, ratio, horizon (see
             `Stage`), of shape (p, 6).
-        ways: room for the tables of the way there, the way back, and units and lengths, shape (3, 12, p + 1).
-        rises: room for the tables of rises, of falls, and for segments on the way back, of shape
+        tables: work: the tables forwards and backwards, units and lengths, shape (3, 12, p + 1).
+        rises: work: the tables of rises, of falls, and segments backwards, of shape
             (3, 8, 8·p).
         rows: where the segments go: path segment, time at the start [s], place, speed, acceleration, jerk,
             duration [s], place at the end; of shape (8, 16·p).
@@ -51,25 +51,25 @@ def plan_segments(
             can have, shape (2,).
     """
     p = bounds.shape[0]
-    there, back = ways[0], ways[1]
-    wrong = _lay_out(bounds, ways)
+    there, back = tables[0], tables[1]
+    wrong = _lay_out(bounds, tables)
     if wrong >= 0:
         result[0], result[1] = -1.0, wrong
         return
     write_rises(there, rises[0])
     write_rises(back, rises[1])
-    n = first = int(ways[2, 1, 0])  # 0; a number in the text would be a type of its own for numba
+    n = first = int(tables[2, 1, 0])  # 0; a number in the text would be a type of its own for numba
     for i in range(1, p + 1):
         if there[6, i] >= 0.0 and back[6, p - i] >= 0.0:
-            n = write_meeting(ways, rises, first, i, rows, n)
+            n = write_meeting(tables, rises, first, i, rows, n)
             first = i
-    result[0], result[1] = _time(bounds, ways[2, 0], rows, n, ends), 0.0
+    result[0], result[1] = _time(bounds, tables[2, 0], rows, n, ends), 0.0
 
 
-def _lay_out(bounds: Array, ways: Array) -> int:
+def _lay_out(bounds: Array, tables: Array) -> int:
     """Write the tables of the way there and back; return the index of a path segment that is wrong, or -1."""
     p = bounds.shape[0]
-    there, back, units, gone = ways[0], ways[1], ways[2, 0], ways[2, 1]
+    there, back, units, gone = tables[0], tables[1], tables[2, 0], tables[2, 1]
     units[0], gone[0] = 1.0, 0.0
     for i in range(p):
         if i > 0:
@@ -119,35 +119,35 @@ def _time(bounds: Array, units: Array, rows: Array, n: int, ends: Array) -> int:
     return count
 
 
-def _is_wrong(bounds: Array, way: Array, i: int) -> bool:
+def _is_wrong(bounds: Array, table: Array, i: int) -> bool:
     """Return whether a number of a path segment is none that a motion can have."""
     for k in range(4):
-        if not (LEAST <= bounds[i, k] <= MOST and LEAST <= way[k, i] <= MOST):
+        if not (LEAST <= bounds[i, k] <= MOST and LEAST <= table[k, i] <= MOST):
             return True
     if not (bounds[i, 4] == 0.0 or LEAST <= bounds[i, 4] <= MOST):
         return True
     return not (bounds[i, 5] == -1.0 or bounds[i, 5] >= i)
 
 
-def _look_ahead(way: Array) -> bool:
+def _look_ahead(table: Array) -> bool:
     """Write from which speeds, without acceleration, it can stop at the end; say whether a horizon counts.
 
     Existing ones were found before bounds were lowered: only lower ones are found again. Initially they are
     infinite.
     """
-    p, limited = way.shape[1] - 1, False
+    p, limited = table.shape[1] - 1, False
     for i in range(p):
-        limited = limited or way[5, i] < inf
-        way[10, i] = -1.0
+        limited = limited or table[5, i] < inf
+        table[10, i] = -1.0
     if not limited:
         return False
-    lower = way[9, p] > 0.0
-    way[9, p] = 0.0
+    lower = table[9, p] > 0.0
+    table[9, p] = 0.0
     for k in range(p - 1, -1, -1):
-        before = way[9, k]
+        before = table[9, k]
         if lower:
-            way[9, k] = reached_within(way[9, k + 1], way[0, k], way[2, k], way[3, k], way[4, k])
+            table[9, k] = reached_within(table[9, k + 1], table[0, k], table[2, k], table[3, k], table[4, k])
         else:
-            way[9, k] = min(before, way[4, k])
-        lower = way[9, k] < before
+            table[9, k] = min(before, table[4, k])
+        lower = table[9, k] < before
     return True

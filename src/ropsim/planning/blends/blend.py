@@ -10,7 +10,7 @@ from ropsim.motion import BlendFault, JointPath, ToolPath, blend_curve
 from ropsim.planning.blends.joined_ends import joined_to
 from ropsim.planning.blends.meeting import meeting_of
 from ropsim.planning.blends.wrist_blend import are_led, wrist_blend_of
-from ropsim.planning.blends.zone_search import Crossing, way_of
+from ropsim.planning.blends.zone_search import Crossing, tcp_path_of
 from ropsim.planning.moves.path_following import follow_path
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.coordination import Coordination, coordination_round
@@ -31,7 +31,7 @@ class Stop(Enum):
     TURNS_BACK = "the path turns back on itself there"
     STANDS = "the tool only turns on one side of it"
     TOO_SMALL = "it is smaller than a micrometre"
-    NO_WAY = "there is no way between it and its neighbour"
+    NO_PATH = "there is no path between it and its neighbour"
     UNREACHABLE = "the arm cannot follow the rounded corner"
     QUICKER = "a stop takes less time than the way round so small a corner"
     SLOWED = "a stop takes less time than the way round, for which joints must be slowed"
@@ -96,10 +96,10 @@ def blend_between(chain: MotionChain, before: PlannedMove, behind: PlannedMove) 
     if chain.controller.look_ahead < 1:
         return Stop.NO_LOOK_AHEAD
     if before.joints is None or behind.joints is None:
-        return Stop.NO_WAY
+        return Stop.NO_PATH
     meeting = meeting_of(before, behind)
     one, other = (
-        way_of(chain.robot, joints, move.planned.X_MT, path)
+        tcp_path_of(chain.robot, joints, move.planned.X_MT, path)
         for move, joints, path in (
             (before, before.joints, meeting.before if meeting else _in_base(before)),
             (behind, behind.joints, meeting.behind if meeting else _in_base(behind)),

@@ -57,9 +57,9 @@ def joined_to(
     added = _between(*missing)
     for steps in _STEPS:
         r = np.arange(steps + 1, dtype=np.float64) / steps
-        places = r * length
-        near = joints.joints(places).q + np.vander(r, 6, increasing=True) @ added
-        setpoints = PoseSetpoints(length, path.tool(places).matrices)
+        s = r * length
+        near = joints.joints(s).q + np.vander(r, 6, increasing=True) @ added
+        setpoints = PoseSetpoints(length, path.tool(s).matrices)
         matrices = (along.in_base(setpoints) if along else setpoints).matrices
         q = inverse_near(chain.robot, matrices @ X_MT.inverse().matrix(), near)
         if not np.abs(q - near).max() < _FAR:  # true for NaN

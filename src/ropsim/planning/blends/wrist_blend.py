@@ -7,7 +7,7 @@ from ropsim.motion import JointPath, JointPoints, ToolPath, smoothly
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.coordination import Coordination
 from ropsim.planning.records.posture_choice import JointRange
-from ropsim.planning.wrist.wrist_following import SAME_JOINTS, wrist_joints, wrist_lead
+from ropsim.planning.wrist.wrist_following import SAME_JOINTS, follow_prescribed_wrist, wrist_joints
 from ropsim.planning.wrist.wrist_motion import WristMotion, arm_axes
 from ropsim.planning.wrist.wrist_path import WristPath
 from ropsim.spatial import record
@@ -53,16 +53,16 @@ def wrist_blend_of(
     wrist = list(arm_axes(robot)[3:])
     turned = (JointPoints(one.q[:, wrist], one.d1[:, wrist], one.d2[:, wrist]) for one in (first, last))
     turning = smoothly(path.length, *turned)
-    way = WristMotion(robot, before[0].planned.X_MT, path, turning, first.q[0], along)
-    lead = wrist_lead(way)
-    if lead.share < 1.0 or float(np.abs(lead.q[-1] - last.q[0]).max()) > SAME_JOINTS:
+    motion = WristMotion(robot, before[0].planned.X_MT, path, turning, first.q[0], along)
+    following = follow_prescribed_wrist(motion)
+    if following.share < 1.0 or float(np.abs(following.q[-1] - last.q[0]).max()) > SAME_JOINTS:
         return None
-    if JointRange.of(robot).excess(lead.q).any():
+    if JointRange.of(robot).excess(following.q).any():
         return None
-    joints = wrist_joints(way, lead.q)
-    return WristBlend(way.led_by(joints), joints)
+    joints = wrist_joints(motion, following.q)
+    return WristBlend(motion.led_by(joints), joints)
 
 
-def _joints(move: PlannedMove, place: float) -> JointPoints:
+def _joints(move: PlannedMove, s: float) -> JointPoints:
     assert move.joints is not None
-    return move.joints.joints(np.array([place]))
+    return move.joints.joints(np.array([s]))

@@ -25,7 +25,7 @@ Crossing = tuple[float, float]
 """A place in the unit of the path, and how far the TCP is from the blend there [m]."""
 
 
-class Way(Protocol):
+class TcpPath(Protocol):
     """The way of the TCP along the path of a move, at an end of which it is in the centre of a zone."""
 
     @property
@@ -38,11 +38,11 @@ class Way(Protocol):
     def enter(self, zone: float, clip: float) -> Crossing:
         """Return the place, at most `clip`, before which the TCP stays within a zone [m] round the start."""
 
-    def distance(self, place: float, other: float) -> float:
+    def distance(self, s: float, other: float) -> float:
         """Return the distance of the TCP between two places [m]."""
 
 
-def way_of(robot: RobotModel, joints: JointPath, X_MT: Pose, tool: ToolPath | None) -> Way:
+def tcp_path_of(robot: RobotModel, joints: JointPath, X_MT: Pose, tool: ToolPath | None) -> TcpPath:
     """Return the way of the TCP along a move.
 
     Args:
@@ -52,14 +52,14 @@ def way_of(robot: RobotModel, joints: JointPath, X_MT: Pose, tool: ToolPath | No
         tool: the path of the tool, if any; positions are in its frame, else in the base frame.
     """
     if has_straight_tcp(tool):
-        return StraightWay(joints.length)
+        return StraightTcpPath(joints.length)
     rows = None if tool or robot.cuts else rows_of_path(joints)
     if rows is None or rows.kind == TRACED:
-        return _Way(robot, joints, X_MT, tool)
-    return _ArmWay(robot, joints, X_MT, rows)
+        return _EvaluatedTcpPath(robot, joints, X_MT, tool)
+    return _ArmTcpPath(robot, joints, X_MT, rows)
 
 
-class StraightWay:
+class StraightTcpPath:
     """Along a straight line, with the path parameters of both ends in closed form, without a search.
 
     Args:
@@ -71,47 +71,47 @@ class StraightWay:
 
     def leave(self, zone: float, clip: float) -> Crossing:
         """Return the place at which a zone [m] round the end begins, at least `clip`."""
-        place = max(clip, self.length - zone)
-        return place, abs(place - self.length)
+        s = max(clip, self.length - zone)
+        return s, abs(s - self.length)
 
     def enter(self, zone: float, clip: float) -> Crossing:
         """Return the place at which a zone [m] round the start ends, at most `clip`."""
-        place = min(clip, zone)
-        return place, place
+        s = min(clip, zone)
+        return s, s
 
-    def distance(self, place: float, other: float) -> float:
+    def distance(self, s: float, other: float) -> float:
         """Return the distance of two places [m]."""
-        return abs(place - other)
+        return abs(s - other)
 
 
-class _Way:
+class _EvaluatedTcpPath:
     """Along a path of the tool, or one of the joints that only the path itself can evaluate."""
 
     def __init__(self, robot: RobotModel, joints: JointPath, X_MT: Pose, tool: ToolPath | None) -> None:
         self._robot, self._joints, self._X_MT, self._tool = robot, joints, X_MT, tool
         self.length = joints.length
 
-    def _positions(self, places: Array) -> Array:
+    def _positions(self, s: Array) -> Array:
         """Return TCP positions [m] at places, (k,) to (k, 3)."""
         if self._tool is not None:
-            return self._tool.positions(places)
-        matrices = forward_batch(self._robot, self._joints.joints(places).q)
+            return self._tool.positions(s)
+        matrices = forward_batch(self._robot, self._joints.joints(s).q)
         return np.asarray((matrices @ self._X_MT.matrix())[:, :3, 3])
 
     def leave(self, zone: float, clip: float) -> Crossing:
-        place = leave(self._positions, self.length, zone, clip)
-        return place, self.distance(place, self.length)
+        s = leave(self._positions, self.length, zone, clip)
+        return s, self.distance(s, self.length)
 
     def enter(self, zone: float, clip: float) -> Crossing:
-        place = enter(self._positions, self.length, zone, clip)
-        return place, self.distance(place, 0.0)
+        s = enter(self._positions, self.length, zone, clip)
+        return s, self.distance(s, 0.0)
 
-    def distance(self, place: float, other: float) -> float:
-        a, b = self._positions(np.array([place, other]))
+    def distance(self, s: float, other: float) -> float:
+        a, b = self._positions(np.array([s, other]))
         return float(np.linalg.norm(a - b))
 
 
-class _ArmWay(_Way):
+class _ArmTcpPath(_EvaluatedTcpPath):
     """Along a path of the joints from one row of coordinates to another."""
 
     def __init__(self, robot: RobotModel, joints: JointPath, X_MT: Pose, rows: PathRows) -> None:
@@ -132,5 +132,5 @@ class _ArmWay(_Way):
         tcps = self._X_MT.position[np.newaxis]
         paths = SearchPaths(ZONE_SHARES, ZONE_NODES, chain.flat, chain.spread, rows, tcps)
         zones_of_arm(paths, requested, SearchWork.of(1, self._robot.n, len(chain.slides)))
-        place, distance, *_ = requested[0].tolist()
-        return place, distance
+        s, distance, *_ = requested[0].tolist()
+        return s, distance

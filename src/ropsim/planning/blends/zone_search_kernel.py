@@ -7,27 +7,27 @@ import numpy as np
 from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.kinematics import POSES, forward_rows
 from ropsim.motion import (
-    LOOK_COUNT,
-    LOOK_FOUND,
-    LOOK_SQUARES,
-    LOOK_STATE,
-    LOOK_WAYS,
-    MOST_LOOKS,
+    FOUND_PARAMETER,
+    MOST_SAMPLES,
+    SAMPLE_COUNT,
+    SAMPLE_PARAMETERS,
+    SAMPLE_SQUARES,
+    SEARCH_STATE,
     SYNCHRONISED,
     joint_rows,
     line_points,
-    look_further,
+    next_samples,
 )
 from ropsim.spatial import Array
 
 LENGTH, ZONE, CLIP, FROM_END, KIND, BEGIN, WHOLE, FIRST, LAST = range(9)
 """What is asked for, see `zones_of_arm`."""
-PLACE, DISTANCE = range(2)
+PARAMETER, DISTANCE = range(2)
 """What becomes of it."""
 SIDE_BY_SIDE = 16
 """Paths that are searched together: what each looks at one place at a time is computed at once then."""
-PLACES, STATE = 3, 4
-"""Rows of looks, behind those that `look_further` knows."""
+PARAMETERS, STATE = 3, 4
+"""Rows of looks, behind those that `next_samples` knows."""
 COUNT, ENDS, CENTRED, X, Y, Z, HELD = range(7)
 """What is held of a search: how many places it looks at, 0 when it is over; 1 once the place is found, and
 once the centre of the zone is known; that centre [m]. How many numbers that is.
@@ -38,7 +38,7 @@ class SearchPaths(NamedTuple):
     """Paths of the joints of an arm, and the nodes of a search.
 
     Attributes:
-        shares: as for `look_further`.
+        shares: as for `next_samples`.
         nodes: likewise.
         chain: `ChainArrays.flat` of the arm, of m steps.
         spread: `ChainArrays.spread`, shape (m or 0, n + 1).
@@ -58,15 +58,15 @@ class SearchWork(NamedTuple):
     """Work buffers of s searches side by side.
 
     Attributes:
-        looks: shape (s, 5, `MOST_LOOKS`).
+        samples: shape (s, 5, `MOST_SAMPLES`).
         held: shape (s, `HELD`).
-        points: shape (3, `MOST_LOOKS`, n).
-        steps: shape (s·`MOST_LOOKS`, m).
-        poses_at: shape (s·`MOST_LOOKS`, 4, 4).
+        points: shape (3, `MOST_SAMPLES`, n).
+        steps: shape (s·`MOST_SAMPLES`, m).
+        poses_at: shape (s·`MOST_SAMPLES`, 4, 4).
         poses: shape (`POSES`,).
     """
 
-    looks: Array3
+    samples: Array3
     held: Array2
     points: Array3
     steps: Array2
@@ -76,11 +76,11 @@ class SearchWork(NamedTuple):
     @classmethod
     def of(cls, searches: int, n: int, m: int) -> "SearchWork":
         """Return buffers for searches side by side with an arm of n joints and m steps."""
-        total = searches * MOST_LOOKS
+        total = searches * MOST_SAMPLES
         return cls(
-            np.empty((searches, 5, MOST_LOOKS)),
+            np.empty((searches, 5, MOST_SAMPLES)),
             np.empty((searches, HELD)),
-            np.empty((3, MOST_LOOKS, n)),
+            np.empty((3, MOST_SAMPLES, n)),
             np.empty((total, m)),
             np.empty((total, 4, 4)),
             np.empty(POSES),
@@ -99,7 +99,7 @@ def zones_of_arm(paths: SearchPaths, requested: Array2, work: SearchWork) -> Non
             shape (k, 9).
         work: buffers.
     """
-    samples, held, poses_at, poses = work.looks, work.held, work.poses_at, work.poses
+    samples, held, poses_at, poses = work.samples, work.held, work.poses_at, work.poses
     for i in range(POSES):
         poses[i] = 0.0
     for first in range(0, requested.shape[0], samples.shape[0]):
@@ -107,7 +107,7 @@ def zones_of_arm(paths: SearchPaths, requested: Array2, work: SearchWork) -> Non
         own, tools = requested[first:beyond], paths.tcps[first:beyond]
         for k in range(own.shape[0]):
             held[k, COUNT], held[k, ENDS], held[k, CENTRED] = 1.0, 0.0, 0.0
-            for i in range(LOOK_STATE):
+            for i in range(SEARCH_STATE):
                 samples[k, STATE, i] = 0.0
         count = _ask(paths, own, work)
         while count > 0:
@@ -118,31 +118,31 @@ def zones_of_arm(paths: SearchPaths, requested: Array2, work: SearchWork) -> Non
 
 def _ask(paths: SearchPaths, requested: Array, work: SearchWork) -> int:
     """Write coordinates at the next samples of all searches, and return the number of these."""
-    samples, held, points, total = work.looks, work.held, work.points, 0
+    samples, held, points, total = work.samples, work.held, work.points, 0
     for k in range(requested.shape[0]):
         if held[k, ENDS] != 0.0:
             held[k, COUNT] = 0.0
         if held[k, COUNT] == 0.0:
             continue
-        one, places, state = requested[k], samples[k, PLACES], samples[k, STATE]
-        look_further(paths.shares, paths.nodes, one[ZONE], one[CLIP], samples[k], state)
-        count = int(state[LOOK_COUNT])
+        one, parameters, state = requested[k], samples[k, PARAMETERS], samples[k, STATE]
+        next_samples(paths.shares, paths.nodes, one[ZONE], one[CLIP], samples[k], state)
+        count = int(state[SAMPLE_COUNT])
         if count == 0:  # how far it is at the place that was found
             count, held[k, ENDS] = 1, 1.0
-            samples[k, LOOK_WAYS, 0] = state[LOOK_FOUND]
+            samples[k, SAMPLE_PARAMETERS, 0] = state[FOUND_PARAMETER]
         held[k, COUNT] = count
         for i in range(count):
-            way = samples[k, LOOK_WAYS, i]
-            places[i] = one[LENGTH] - way if one[FROM_END] != 0.0 else way
+            s = samples[k, SAMPLE_PARAMETERS, i]
+            parameters[i] = one[LENGTH] - s if one[FROM_END] != 0.0 else s
         if held[k, ENDS] != 0.0:
-            one[PLACE] = places[0]
+            one[PARAMETER] = parameters[0]
         for i in range(count):
-            places[i] += one[BEGIN]
+            parameters[i] += one[BEGIN]
         path = paths.rows[int(one[FIRST]) : int(one[LAST])]
         if one[KIND] == SYNCHRONISED:
-            joint_rows(path[0], path[1], path[2:], one[WHOLE], places[:count], points)
+            joint_rows(path[0], path[1], path[2:], one[WHOLE], parameters[:count], points)
         else:
-            line_points(path[0], path[1], places[:count], points)
+            line_points(path[0], path[1], parameters[:count], points)
         _move_steps(paths.spread, points[0], count, work.steps[total:])
         total += count
     return total
@@ -161,9 +161,9 @@ def _answer(tcps: Array, poses_at: Array, requested: Array, samples: Array, held
             if held[k, CENTRED] == 0.0:
                 held[k, CENTRED], held[k, X], held[k, Y], held[k, Z] = 1.0, u, v, w
             x, y, z = u - held[k, X], v - held[k, Y], w - held[k, Z]
-            samples[k, LOOK_SQUARES, i] = x * x + y * y + z * z
+            samples[k, SAMPLE_SQUARES, i] = x * x + y * y + z * z
         if held[k, ENDS] != 0.0 and count:
-            requested[k, DISTANCE] = samples[k, LOOK_SQUARES, 0] ** 0.5
+            requested[k, DISTANCE] = samples[k, SAMPLE_SQUARES, 0] ** 0.5
         at += count
 
 

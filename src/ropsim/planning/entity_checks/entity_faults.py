@@ -58,8 +58,8 @@ def guarded(
 def raised(error: Exception) -> str:
     """Return the description of an exception, with its place."""
     frames = extract_tb(error.__traceback__)
-    place = f" ({Path(frames[-1].filename).name}, line {frames[-1].lineno})"
-    return f"raised {type(error).__name__}: {error}{place}"
+    location = f" ({Path(frames[-1].filename).name}, line {frames[-1].lineno})"
+    return f"raised {type(error).__name__}: {error}{location}"
 
 
 def with_reason(entity: object, refusal: Refusal, move: MoveInstruction) -> Refusal:

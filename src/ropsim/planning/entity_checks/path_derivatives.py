@@ -15,7 +15,7 @@ from ropsim.spatial import Array
 
 P = TypeVar("P", JointPoints, ToolPoints)
 
-_LOOKS = 9
+_SAMPLES = 9
 """Places at which derivatives are compared."""
 _ASIDE = (np.sqrt(5.0) - 1.0) / 2.0
 """Where in its part of the path each of them lies: at no simple share of it, where path segments may meet."""
@@ -73,7 +73,7 @@ def _joint_shifts(around: Sequence[JointPoints]) -> tuple[Array, ...]:
 
 
 def _middles(length: float) -> Array:
-    return np.asarray(length * (np.arange(_LOOKS) + _ASIDE) / _LOOKS)
+    return np.asarray(length * (np.arange(_SAMPLES) + _ASIDE) / _SAMPLES)
 
 
 def _around(
@@ -116,7 +116,7 @@ def _unlike(
     """
     size = float(np.abs(points.d1).max())
     allowed = {"d1": _ALIKE * size, "d2": _ALIKE * (float(np.abs(points.d2).max()) + size / length)}
-    off = {name: np.full(_LOOKS, np.inf) for name in allowed}
+    off = {name: np.full(_SAMPLES, np.inf) for name in allowed}
     for share in _STEPS:
         found = around(length, share * length, move)
         if isinstance(found, Refusal):
@@ -128,8 +128,8 @@ def _unlike(
             return None
     name = next(name for name, most in allowed.items() if not (off[name] <= most).all())
     row = int(np.argmax(off[name]))
-    place, far = _middles(length)[row], off[name][row]
-    said = f"returned `{name}` that is not the derivative at place {place:.3g}: off by {far:.3g}"
+    s, far = _middles(length)[row], off[name][row]
+    said = f"returned `{name}` that is not the derivative at path parameter {s:.3g}: off by {far:.3g}"
     return refused(entity, said, move)
 
 

@@ -90,7 +90,7 @@ def _away(chain: MotionChain, X_MT: Pose, q_start: Array, move: MoveInstruction)
     return float(np.abs(X_BT.matrix() - wanted.matrix()).max())
 
 
-_LOOKS = 9
+_SAMPLES = 9
 """Places at which a path is checked before it is used."""
 _JUMP = 1e-6
 """Largest distance of the start of a path from where the arm is [rad | m]."""
@@ -167,17 +167,17 @@ def faults_of_tool_path(entity: object, path: ToolPath, move: MoveInstruction) -
     wrong = length if isinstance(length, Refusal) else _unusable_length(entity, length, move)
     if wrong:
         return wrong
-    places = np.linspace(0.0, path.length, _LOOKS)
-    points = guarded(entity, lambda: path.tool(places), (ToolPoints,), move)
+    s = np.linspace(0.0, path.length, _SAMPLES)
+    points = guarded(entity, lambda: path.tool(s), (ToolPoints,), move)
     if isinstance(points, Refusal):
         return points
-    positions = guarded(entity, lambda: path.positions(places), (np.ndarray,), move)
+    positions = guarded(entity, lambda: path.positions(s), (np.ndarray,), move)
     if isinstance(positions, Refusal):
         return positions
-    shapes = {"matrices": (_LOOKS, 4, 4), "d1": (_LOOKS, 6), "d2": (_LOOKS, 6)}
+    shapes = {"matrices": (_SAMPLES, 4, 4), "d1": (_SAMPLES, 6), "d2": (_SAMPLES, 6)}
     arrays = {name: np.asarray(getattr(points, name)) for name in shapes}
     wrong = _unusable_arrays(
-        entity, arrays | {"positions": positions}, shapes | {"positions": (_LOOKS, 3)}, move
+        entity, arrays | {"positions": positions}, shapes | {"positions": (_SAMPLES, 3)}, move
     )
     return wrong or wrong_tool_derivatives(entity, path, points, move)
 
@@ -197,13 +197,13 @@ def unusable_path(entity: object, path: JointPath, q_start: Array, move: MoveIns
     wrong = length if isinstance(length, Refusal) else _unusable_length(entity, length, move)
     if wrong:
         return wrong
-    places = np.linspace(0.0, path.length, _LOOKS)
-    points = guarded(entity, lambda: path.joints(places), (JointPoints,), move)
+    s = np.linspace(0.0, path.length, _SAMPLES)
+    points = guarded(entity, lambda: path.joints(s), (JointPoints,), move)
     if isinstance(points, Refusal):
         return points
     names = ("q", "d1", "d2")
     arrays = {name: np.asarray(getattr(points, name)) for name in names}
-    wrong = _unusable_arrays(entity, arrays, dict.fromkeys(names, (_LOOKS, len(q_start))), move)
+    wrong = _unusable_arrays(entity, arrays, dict.fromkeys(names, (_SAMPLES, len(q_start))), move)
     wrong = wrong or _begins_elsewhere(entity, points.q[0], q_start, move)
     return wrong or wrong_joint_derivatives(entity, path, points, move)
 

@@ -38,9 +38,11 @@ def misplaced_tool_path(maker: object, path: ToolPath, request: PathRequest) -> 
     for word, (matrix, pose) in wanted.items():
         away, turned = _apart(matrix, pose.matrix())
         if not max(away, turned) <= _SAME:
-            place = "where the tool is" if word == "begins" else "its target"
+            expected = "where the tool is" if word == "begins" else "its target"
             found = (
-                f"{word} {away * 1e3:.3g} mm from {place}" if away > _SAME else f"{word} with the tool turned"
+                f"{word} {away * 1e3:.3g} mm from {expected}"
+                if away > _SAME
+                else f"{word} with the tool turned"
             )
             return refused(entity, f"{'is' if entity is path else 'made'} a path that {found}", request.move)
     return None
@@ -73,9 +75,11 @@ def untrue_setpoints(
     for word, row, wanted in (("begin", 0, ends[0]), ("end", -1, ends[1])):
         away, turned = _apart(setpoints.matrices[row], wanted)
         if not max(away, turned) <= _SAME:
-            place = "its start" if word == "begin" else "its end"
+            expected = "its start" if word == "begin" else "its end"
             found = (
-                f"{word} {away * 1e3:.3g} mm from {place}" if away > _SAME else f"{word} turned at {place}"
+                f"{word} {away * 1e3:.3g} mm from {expected}"
+                if away > _SAME
+                else f"{word} turned at {expected}"
             )
             return refused(entity, f"returned poses of a path that {found}", move)
     return None

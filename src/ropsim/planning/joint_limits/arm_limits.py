@@ -100,15 +100,15 @@ def move_at(ends: Sequence[float], phi: float) -> int:
 
 
 def _slowed(move: PlannedMove, part: Slowed, joint: Joint, start: float, end: float) -> Diagnostic:
-    place = (0.5 * (part.start + part.end) - start) / max(end - start, 1e-300)
-    place, origin = min(max(place, 0.0), 1.0), move.move.origin
+    progress = (0.5 * (part.start + part.end) - start) / max(end - start, 1e-300)
+    progress, origin = min(max(progress, 0.0), 1.0), move.move.origin
     return SLOWED.at(
         origin.span,
-        f"slowed down to {part.share:.0%} of the speed that its other limits allow, after {place:.0%} of the "
-        f"move: joint `{joint.name}` is at its {_WORDS[part.quantity][0]} limit",
+        f"slowed down to {part.share:.0%} of the speed that its other limits allow, after {progress:.0%} of "
+        f"the move: joint `{joint.name}` is at its {_WORDS[part.quantity][0]} limit",
         label=passes(origin),
         hint="another posture may need less of the joint; a lower speed of the whole move may be quicker",
-        data={"joint": joint.name, "share": part.share, "place": place},
+        data={"joint": joint.name, "share": part.share, "place": progress},
     )
 
 

@@ -11,10 +11,10 @@ from ropsim.model import Payload, RobotModel
 from ropsim.motion import JointBounds, JointMotionLimits
 from ropsim.planning.joint_limits.arm_limits import ArmBounds, arm_bounds
 from ropsim.planning.joint_limits.binding_kernel import Reached, limits_reached, sample_moves
-from ropsim.planning.joint_limits.binding_tool import REACHED, Looks, binding_of_tools
+from ropsim.planning.joint_limits.binding_tool import REACHED, TickSamples, binding_of_tools
 from ropsim.planning.records.motion_plan import MotionPlan, TimedMove
 
-MOST_LOOKS = 64
+MOST_SAMPLES = 64
 """Control ticks of a move that are evaluated, evenly spaced: one of 64 is 1.6 % of its time."""
 
 PRESSED = 0.9
@@ -39,20 +39,20 @@ def binding_constraints(
         robot: the arm.
         payload: tool and part as one body, as used in planning.
     """
-    bounds, looked, first = arm_bounds(robot, payload), [], 0
+    bounds, evaluated, first = arm_bounds(robot, payload), [], 0
     for number, move in enumerate(plan.moves):
         if (limits := move.limits) is not None and move.last - first > 1:
             held = _going_along(move, robot, bounds) if move.on_tool_path else limits.joints
-            looked.append(_Looked(number, move, first, held))
+            evaluated.append(_EvaluatedMove(number, move, first, held))
         first = move.last
     found: list[CriticalLimit | None] = [None] * len(plan.moves)
-    if not looked:
+    if not evaluated:
         return tuple(found)
-    samples, longest = _joints(plan, looked, bounds)
-    on_tool = [number for number, one in enumerate(looked) if one.move.on_tool_path]
-    of_tools = binding_of_tools(plan, [looked[one].move for one in on_tool], on_tool, samples, robot)
+    samples, longest = _joints(plan, evaluated, bounds)
+    on_tool = [number for number, one in enumerate(evaluated) if one.move.on_tool_path]
+    of_tools = binding_of_tools(plan, [evaluated[one].move for one in on_tool], on_tool, samples, robot)
     of_tool = dict(zip(on_tool, of_tools, strict=True))
-    for number, (one, (best, share)) in enumerate(zip(looked, longest, strict=True)):
+    for number, (one, (best, share)) in enumerate(zip(evaluated, longest, strict=True)):
         if number in of_tool and of_tool[number][1] > share:
             quantity, most = of_tool[number]
             whose = _pressed(plan, one, robot) if quantity is LimitQuantity.BEND else ""
@@ -64,7 +64,7 @@ def binding_constraints(
 
 
 @frozen_dataclass
-class _Looked:
+class _EvaluatedMove:
     """A move that is evaluated.
 
     Attributes:
@@ -80,7 +80,7 @@ class _Looked:
     limits: JointMotionLimits | JointBounds
 
 
-def _pressed(plan: MotionPlan, one: _Looked, robot: RobotModel) -> str:
+def _pressed(plan: MotionPlan, one: _EvaluatedMove, robot: RobotModel) -> str:
     """Return the name of the joint for which a bend is slow, empty where it is slow for the tool.
 
     It is the one that comes nearest to its acceleration or jerk there, if it comes near: a motion is slowed
@@ -103,33 +103,36 @@ def _going_along(move: TimedMove, robot: RobotModel, bounds: ArmBounds) -> Joint
 
 
 def _joints(
-    plan: MotionPlan, looked: Sequence[_Looked], bounds: ArmBounds
-) -> tuple[Looks, list[list[float]]]:
+    plan: MotionPlan, evaluated: Sequence[_EvaluatedMove], bounds: ArmBounds
+) -> tuple[TickSamples, list[list[float]]]:
     """Return the evaluated ticks of moves, and the longest-binding joint limit of each.
 
     Args:
         plan: of a stretch.
-        looked: the moves.
+        evaluated: the moves.
         bounds: of the arm.
 
     Returns:
         the looks; for each move the number of the limit, n for each of `_QUANTITIES`, and the share of its
         looks.
     """
-    m, n = len(looked), plan.reference.q.shape[1]
+    m, n = len(evaluated), plan.reference.q.shape[1]
     q, qd, qdd = map(np.ascontiguousarray, (plan.reference.q, plan.reference.qd, plan.reference.qdd))
-    spans, room = np.array([(one.first, one.move.last) for one in looked], dtype=np.float64), m * MOST_LOOKS
-    ticks, reached, starts, rows = np.empty(room), np.empty(room), np.empty(m + 1), np.empty((3, room, n))
-    sample_moves(q, qd, qdd, spans, MOST_LOOKS, ticks, starts, rows)
+    spans, size = (
+        np.array([(one.first, one.move.last) for one in evaluated], dtype=np.float64),
+        m * MOST_SAMPLES,
+    )
+    ticks, reached, starts, rows = np.empty(size), np.empty(size), np.empty(m + 1), np.empty((3, size, n))
+    sample_moves(q, qd, qdd, spans, MOST_SAMPLES, ticks, starts, rows)
     most, counts, longest = np.empty((m, 4, n)), np.empty((m, 4, n)), np.empty((m, 2))
     largest, count = bounds.joints.effort, int(starts[m])
     if bounds.effort is None or largest is None:
         torque, largest = np.zeros((count, n)), np.ones(n)
     else:
         torque = bounds.effort(rows[0, :count], rows[1, :count], rows[2, :count])
-    for number, one in enumerate(looked):
+    for number, one in enumerate(evaluated):
         most[number, 0], most[number, 1] = one.limits.speed, one.limits.acceleration
         most[number, 2], most[number, 3] = largest, one.limits.jerk
     out = Reached(counts, longest, reached)
     limits_reached(qd, qdd, ticks, starts, torque, most, plan.period, REACHED, out)
-    return Looks(ticks, starts, reached), longest.tolist()
+    return TickSamples(ticks, starts, reached), longest.tolist()

@@ -71,7 +71,7 @@ def limits_reached(
     share: float,
     out: Reached,
 ) -> None:
-    """Write at how many looks at each move joints are at their limits.
+    """Write at how many samples of each move joints are at their limits.
 
     Args:
         qd: speeds at all control ticks [rad/s | m/s], shape (ticks, n).
@@ -206,9 +206,9 @@ def tool_reached(
     longest: Array2,
     idle: Array1,
 ) -> None:
-    """Write at how many looks at each move speed, acceleration and jerk of the tool are at their limits.
+    """Write at how many samples of each move speed, acceleration and jerk of the tool are at their limits.
 
-    Looks at a move are taken together as far as they lie on one path segment, and those that lie on none.
+    Samples of a move on one path segment are taken together, and so are those that lie on none.
 
     Args:
         poses: of the tool at four ticks in a row from each of k looks on, in the frame of the path segment,

@@ -19,14 +19,14 @@ REACHED = 0.98
 """Share of a limit from which on it counts as reached: time laws keep a small distance to it."""
 
 _QUANTITIES = (LimitQuantity.SPEED, LimitQuantity.ACCELERATION, LimitQuantity.JERK)
-_PLACES = np.linspace(0.0, 1.0, 33)
+_SHARES = np.linspace(0.0, 1.0, 33)
 """Path parameters at which the bend of a path is evaluated, as shares of its length."""
 _BENT = 1e-9
 """Second derivative times length, of the first one, from which on a path is bent."""
 
 
 @frozen_dataclass
-class Looks:
+class TickSamples:
     """Control ticks of a plan at which its moves are evaluated; in arrays that may be longer.
 
     Attributes:
@@ -41,7 +41,11 @@ class Looks:
 
 
 def binding_of_tools(
-    plan: MotionPlan, moves: Sequence[TimedMove], numbers: Sequence[int], samples: Looks, robot: RobotModel
+    plan: MotionPlan,
+    moves: Sequence[TimedMove],
+    numbers: Sequence[int],
+    samples: TickSamples,
+    robot: RobotModel,
 ) -> list[tuple[LimitQuantity, float]]:
     """Return the limit of the tool that each move is at for longest, and for which share of the looks.
 
@@ -62,7 +66,7 @@ def binding_of_tools(
     may_bend = [one.path is not None and constant_derivatives(one.path) is None for one in plan.path_segments]
     found = []
     for (first, end), (quantity, most) in zip(pairwise(starts), longest, strict=True):
-        bent = _bent_looks(plan, idle[int(first) : int(end)].tolist()) if any(may_bend) else 0
+        bent = _bent_samples(plan, idle[int(first) : int(end)].tolist()) if any(may_bend) else 0
         if bent > most:
             found.append((LimitQuantity.BEND, bent / (end - first)))
         else:
@@ -71,7 +75,11 @@ def binding_of_tools(
 
 
 def _counts(
-    plan: MotionPlan, moves: Sequence[TimedMove], numbers: Sequence[int], samples: Looks, robot: RobotModel
+    plan: MotionPlan,
+    moves: Sequence[TimedMove],
+    numbers: Sequence[int],
+    samples: TickSamples,
+    robot: RobotModel,
 ) -> tuple[list[float], list[list[float]], Array]:
     """Return at how many looks limits are reached, and on which path segment each look lies at which none is.
 
@@ -86,8 +94,8 @@ def _counts(
         the first evaluation of each of these moves, and their number; the rest as `tool_reached` writes it.
     """
     q = np.ascontiguousarray(plan.reference.q)
-    t, room = len(moves), len(samples.ticks)
-    rows, here, chosen = np.empty((4 * room, q.shape[1])), np.empty((4, room)), np.array(numbers, dtype=float)
+    t, size = len(moves), len(samples.ticks)
+    rows, here, chosen = np.empty((4 * size, q.shape[1])), np.empty((4, size)), np.array(numbers, dtype=float)
     ticks, reached, on, idle = here[0], here[1], here[2], here[3]
     first = np.empty(t + 1)
     four_in_sequence(q, samples.ticks, samples.reached, samples.starts, chosen, rows, ticks, reached, first)
@@ -115,7 +123,7 @@ def _counts(
     return starts, longest.tolist(), idle
 
 
-def _bent_looks(plan: MotionPlan, idle: list[float]) -> int:
+def _bent_samples(plan: MotionPlan, idle: list[float]) -> int:
     """Return the number of evaluations of a move that lie where its path is bent and no limit is reached.
 
     Args:
@@ -148,5 +156,5 @@ def _is_bent(path: ToolPath) -> bool:
     """Return whether a path turns off its way, or its orientation off its turn."""
     if constant_derivatives(path) is not None:
         return False
-    points = path.tool(_PLACES * path.length)
+    points = path.tool(_SHARES * path.length)
     return bool(np.abs(points.d2).max() * path.length > _BENT * np.abs(points.d1).max())

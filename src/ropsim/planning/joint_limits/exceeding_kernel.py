@@ -76,13 +76,13 @@ class AtTicks(NamedTuple):
     Attributes:
         law: rows of the time law, those of the ticks before first, and below them the jerk behind each of
             these times, shape (5, 2·b).
-        places: path parameters on the whole section, shape (2, b).
+        parameters: path parameters on the whole section, shape (2, b).
         motion: coordinates and speeds at the ticks, shape (2, b, n).
         accelerations: at the ticks before and at the ticks, shape (2, b, n).
     """
 
     law: Array2
-    places: Array2
+    parameters: Array2
     motion: Array3
     accelerations: Array3
 
@@ -112,8 +112,8 @@ def evaluate_section(
     rows_at(section.segments, section.duration, times, law)
     _jerks_at(section.segments, section.duration, times, law[4])
     for k in range(b):
-        out.places[0, k] = section.begins[int(law[0, k])] + law[1, k]
-        out.places[1, k] = section.begins[int(law[0, b + k])] + law[1, b + k]
+        out.parameters[0, k] = section.begins[int(law[0, k])] + law[1, k]
+        out.parameters[1, k] = section.begins[int(law[0, b + k])] + law[1, b + k]
 
 
 def _jerks_at(segments: Array, duration: float, times: Array, jerks: Array) -> None:

@@ -11,7 +11,7 @@ from ropsim.motion import (
     Quantity,
     Reference,
     Ticks,
-    demand,
+    constraint_rows,
     too_heavy,
 )
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
@@ -56,20 +56,20 @@ def fitted(
         ticks: of control.
         rules: time law and look-ahead.
     """
-    if planned.reference.utilisation.is_kept:
+    if planned.reference.utilisation.is_within_limits:
         planned = planned.at_each(ticks, arm)
     if not any(section.part.leads_tool for section in planned.timing.sections):
         return planned.loaded(arm)
-    if planned.reference.torque is None and not planned.reference.utilisation.is_kept:
+    if planned.reference.torque is None and not planned.reference.utilisation.is_within_limits:
         return _fitted(planned, arm, replace(arm, effort=None), ticks, rules)
     heavy = planned.loaded(arm)
-    if heavy.reference.utilisation.is_kept or _is_too_heavy(heavy.reference, arm):
+    if heavy.reference.utilisation.is_within_limits or _is_too_heavy(heavy.reference, arm):
         return heavy
     return _fitted(heavy, arm, arm, ticks, rules)
 
 
 def _fitted(
-    planned: EvaluatedTrajectory, arm: ArmBounds, looked_at: ArmBounds, ticks: Ticks, rules: TimingRules
+    planned: EvaluatedTrajectory, arm: ArmBounds, checked: ArmBounds, ticks: Ticks, rules: TimingRules
 ) -> EvaluatedTrajectory:
     """Return the timing with its bounds brought down; at first with regard to evaluated quantities alone."""
     now, times, grid = planned, _cell_times(planned), dict[int, LimitGrid]()
@@ -78,9 +78,9 @@ def _fitted(
         if not exceeded and now.ticks != ticks:
             now = now.at_each(ticks, arm)
             continue
-        if not exceeded and looked_at is not arm:
-            now, looked_at = now.loaded(arm), arm
-            if not now.reference.utilisation.is_kept:
+        if not exceeded and checked is not arm:
+            now, checked = now.loaded(arm), arm
+            if not now.reference.utilisation.is_within_limits:
                 heavy = planned.loaded(arm)
                 if heavy.reference.utilisation.peaks[_TORQUE] > 1.0:
                     return fitted(heavy, arm, ticks, rules)
@@ -89,9 +89,9 @@ def _fitted(
             return replace(now, slowed=slowed_in(planned.timing, now.timing, grid))
         changed = [section.part for section in now.timing.sections]
         for number, found in exceeded.items():
-            own = grid.get(number) or _bands(planned, number, times)
+            own = grid.get(number) or _grid_of(planned, number, times)
             if attempt < _ATTEMPTS:
-                aim = Aim(looked_at, now.ticks.period, 1.0 - _LESS * (1 + attempt), rules)
+                aim = Aim(checked, now.ticks.period, 1.0 - _LESS * (1 + attempt), rules)
                 grid[number], changed[number] = slower_section(
                     now.motion, now.reference, number, own, found, aim
                 )
@@ -103,13 +103,13 @@ def _fitted(
         timing = timing_of(changed, len(planned.timing.ends))
         if timing.duration - planned.timing.duration > LONGEST_DELAY:
             return planned.loaded(arm)
-        now = as_bounds_allow(now.motion.timed(timing), looked_at, ticks)
+        now = as_bounds_allow(now.motion.timed(timing), checked, ticks)
     return planned.loaded(arm)
 
 
 def _is_too_heavy(reference: Reference, arm: ArmBounds) -> bool:
     """Return whether a joint has too little torque to hold the arm somewhere: no speed helps there."""
-    requested = demand(reference.rows, arm.joints, arm.effort)
+    requested = constraint_rows(reference.rows, arm.joints, arm.effort)
     return too_heavy(requested, reference.phi) is not None
 
 
@@ -117,12 +117,12 @@ def _cell_times(fit: EvaluatedTrajectory) -> Array:
     """Return nominal times between which cells lie [s], rising, shape (m,)."""
     reference, duration = fit.reference, fit.timing.duration
     count = max(math.ceil(duration / _SPACING), _FEWEST)
-    ways, times, result = np.empty((2, count)), np.empty(MOST_PARTS * count + 1), np.empty(1)
-    cell_times(reference.utilisation.used, reference.phi, duration, ways, times, result)
+    work, times, result = np.empty((2, count)), np.empty(MOST_PARTS * count + 1), np.empty(1)
+    cell_times(reference.utilisation.used, reference.phi, duration, work, times, result)
     return times[: int(result[0])]
 
 
-def _bands(planned: EvaluatedTrajectory, number: int, times: Array) -> LimitGrid:
+def _grid_of(planned: EvaluatedTrajectory, number: int, times: Array) -> LimitGrid:
     """Return the grid of limits of a planned section, between times, see `_cell_times`."""
     section = planned.timing.sections[number]
     return limit_grid_of(section.part, times, section.start)

@@ -11,7 +11,7 @@ from ropsim.spatial import Array
 
 SPEED, ACCELERATION, JERK = range(3)
 """Rows of what is used."""
-PLACE, TIME, FIRST_BOUND, PIECE = 0, 1, 2, 5
+PARAMETER, TIME, FIRST_BOUND, PATH_SEGMENT = 0, 1, 2, 5
 """Rows of cells."""
 MOST_PARTS = 64
 """Into which a way is divided, at most."""
@@ -21,7 +21,7 @@ STEEP = 0.4
 
 @kernel
 def cell_times(
-    used: Array2, phi: Array1, duration: float, ways: Array2, times: Array1, result: Array1
+    used: Array2, phi: Array1, duration: float, intervals: Array2, times: Array1, result: Array1
 ) -> None:
     """Write nominal times that are about one real time apart, as dense as a motion must be slow there.
 
@@ -32,32 +32,34 @@ def cell_times(
         used: of the limits at control ticks, in the order of `Quantity`, shape (4, k).
         phi: nominal times of the ticks, rising [s], shape (k,).
         duration: nominal time at the end [s].
-        ways: room to work in for w even ways, shape (2, w).
+        intervals: room to work in for w even ways, shape (2, w).
         times: where they go, from 0 to the end, rising, shape (64 · w + 1,).
         result: where their number goes, shape (1,).
     """
-    last = ways.shape[1] - 1
+    last = intervals.shape[1] - 1
     step = duration / (last + 1)
-    for way in range(last + 1):
-        ways[0, way], ways[1, way] = 1.0, 0.0
+    for interval in range(last + 1):
+        intervals[0, interval], intervals[1, interval] = 1.0, 0.0
     here, before = 0, 0.0
     for k in range(phi.shape[0]):
         while here < last and (here + 1) * step <= phi[k]:
             here += 1
         if used[ACCELERATION, k] > 1.0:
-            ways[0, here] = max(ways[0, here], sqrt(used[ACCELERATION, k]))
+            intervals[0, here] = max(intervals[0, here], sqrt(used[ACCELERATION, k]))
         if used[JERK, k] > 1.0:
-            ways[0, here] = max(ways[0, here], np.cbrt(used[JERK, k]))
+            intervals[0, here] = max(intervals[0, here], np.cbrt(used[JERK, k]))
         if before > 0.0 or used[SPEED, k] > 1.0:
-            ways[0, here] = max(ways[0, here], used[SPEED, k])
+            intervals[0, here] = max(intervals[0, here], used[SPEED, k])
             now = log(max(used[SPEED, k], 1.0))
-            ways[1, here] += abs(now - before)
+            intervals[1, here] += abs(now - before)
             before = now
     count = 0
-    for way in range(last + 1):
-        need = max(ways[0, max(way - 1, 0)], ways[0, way], ways[0, min(way + 1, last)])
-        parts = int(min(max(ceil(need), ceil(ways[1, way] / STEEP)), MOST_PARTS))
-        begin, end = way * step, duration if way == last else (way + 1) * step
+    for interval in range(last + 1):
+        needed = max(
+            intervals[0, max(interval - 1, 0)], intervals[0, interval], intervals[0, min(interval + 1, last)]
+        )
+        parts = int(min(max(ceil(needed), ceil(intervals[1, interval] / STEEP)), MOST_PARTS))
+        begin, end = interval * step, duration if interval == last else (interval + 1) * step
         for part in range(parts):
             times[count] = begin + (end - begin) * (part / parts)
             count += 1
@@ -128,39 +130,39 @@ def lay_grid(
     rows_at(segments, duration, inner[:inside], law)
     count, k, begin = 0, 0, 0.0
     path_segment, left = 0, counts[0]
-    grid[PLACE, 0], grid[TIME, 0] = 0.0, 0.0
-    for stage in range(path_limits.shape[0]):
-        end = begin + path_limits[stage, 0]
+    grid[PARAMETER, 0], grid[TIME, 0] = 0.0, 0.0
+    for limit in range(path_limits.shape[0]):
+        end = begin + path_limits[limit, 0]
         if left == 0.0:
             path_segment += 1
             left = counts[path_segment]
         left -= 1.0
-        until = inf if stage + 1 == path_limits.shape[0] else end
+        until = inf if limit + 1 == path_limits.shape[0] else end
         while k < inside and begins[int(law[0, k])] + law[1, k] <= until:
             at = begins[int(law[0, k])] + law[1, k]
             k += 1
-            if at > grid[PLACE, count] and at - begin > least and end - at > least:
+            if at > grid[PARAMETER, count] and at - begin > least and end - at > least:
                 grid[TIME, count + 1] = inner[k - 1]
-                count = _add(grid, count, at, path_limits, stage, path_segment)
+                count = _add(grid, count, at, path_limits, limit, path_segment)
         time_at(segments, ends, path_segment, end - begins[path_segment], grid[TIME, count + 1 : count + 2])
-        count = _add(grid, count, end, path_limits, stage, path_segment)
+        count = _add(grid, count, end, path_limits, limit, path_segment)
         begin = end
     out.total[0] = count
 
 
 def _begin(path_limits: Array, counts: Array, begins: Array) -> None:
     """Write the places at which path segments begin, and the end of the last one."""
-    begins[0], stage, place = 0.0, 0, 0.0
+    begins[0], limit, s = 0.0, 0, 0.0
     for path_segment in range(counts.shape[0]):
         for _ in range(int(counts[path_segment])):
-            place += path_limits[stage, 0]
-            stage += 1
-        begins[path_segment + 1] = place
+            s += path_limits[limit, 0]
+            limit += 1
+        begins[path_segment + 1] = s
 
 
-def _add(grid: Array, count: int, end: float, path_limits: Array, stage: int, path_segment: int) -> int:
+def _add(grid: Array, count: int, end: float, path_limits: Array, limit: int, path_segment: int) -> int:
     """Write a cell but for the time at its end; return the number of all."""
-    grid[PLACE, count + 1], grid[PIECE, count] = end, path_segment
+    grid[PARAMETER, count + 1], grid[PATH_SEGMENT, count] = end, path_segment
     for kind in range(3):
-        grid[FIRST_BOUND + kind, count] = path_limits[stage, 1 + kind]
+        grid[FIRST_BOUND + kind, count] = path_limits[limit, 1 + kind]
     return count + 1

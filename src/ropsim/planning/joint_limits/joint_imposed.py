@@ -22,20 +22,20 @@ class JointImposedLimits:
             of the tick, joint that sets it, and number of the quantity that it has too little of, of shape
             (5, h or more).
         count: of them, h.
-        places: between which caps of each tick count, shape (2, b).
+        parameters: between which caps of each tick count, shape (2, b).
     """
 
     rows: Array
     count: int
-    places: Array
+    parameters: Array
 
 
 @record
-class Walked:
+class EvaluatedPath:
     """A path at b ticks and at the ticks before them; two rows of each, the ticks before first.
 
     Attributes:
-        places: on the path, shape (2, b).
+        parameters: on the path, shape (2, b).
         speeds: along it, shape (2, b).
         accelerations: along it, shape (2, b).
         jerks: along it, behind these times, shape (2, b).
@@ -47,7 +47,7 @@ class Walked:
         torque: at the ticks [N m | N], shape (b, n); None where it does not count.
     """
 
-    places: Array
+    parameters: Array
     speeds: Array
     accelerations: Array
     jerks: Array
@@ -59,7 +59,9 @@ class Walked:
     torque: Array | None
 
 
-def imposed_limits(evaluated: Walked, arm: ArmBounds, period: float, used: float) -> JointImposedLimits:
+def imposed_limits(
+    evaluated: EvaluatedPath, arm: ArmBounds, period: float, used: float
+) -> JointImposedLimits:
     """Return the joint-imposed limits along a path where joints are beyond their limits.
 
     With the path q(s), its speed v and acceleration a: q̈ = q″·v² + q′·a. The term with the greatest part in
@@ -83,7 +85,7 @@ def imposed_limits(evaluated: Walked, arm: ArmBounds, period: float, used: float
     joints = OfJoints(evaluated.qd, evaluated.qdd, _loads(evaluated, arm))
     limits = joint_limits(arm.joints, period)
     limits_imposed(path, joints, limits, period, used, 1.0 + ROUNDING, rows, count)
-    return JointImposedLimits(rows, int(count[0]), evaluated.places)
+    return JointImposedLimits(rows, int(count[0]), evaluated.parameters)
 
 
 @lru_cache(maxsize=16)
@@ -98,7 +100,7 @@ def joint_limits(joints: JointBounds, period: float) -> Array:
     return np.array([joints.speed, joints.acceleration, period * joints.jerk, effort])
 
 
-def _loads(evaluated: Walked, arm: ArmBounds) -> Array:
+def _loads(evaluated: EvaluatedPath, arm: ArmBounds) -> Array:
     """Return torques, and their parts proportional to the square of the speed and to the acceleration.
 
     Returns:

@@ -84,7 +84,7 @@ def limits_imposed(
     qd, qdd, loads = joints
     b = qd.shape[0]
     last = _of_speed(speeds, qd, limits, used, allowed, imposed)
-    room = imposed.shape[1] - b * qd.shape[1]
+    spare = imposed.shape[1] - b * qd.shape[1]
     for quantity in range(ACCELERATION, TORQUE + 1):
         found = 0
         for k in range(loads.shape[1] if quantity == TORQUE else b):
@@ -125,9 +125,9 @@ def limits_imposed(
                     cap = max(abs(a0), abs(a), abs((v - v0) / period)) * share
                 else:
                     cap = jerk * share
-                _add(imposed, room + found, kind, cap, k, j, quantity)
+                _add(imposed, spare + found, kind, cap, k, j, quantity)
                 found += 1
-        last = _in_order(imposed, room, found, last)
+        last = _in_order(imposed, spare, found, last)
     count[0] = last
 
 

@@ -5,8 +5,8 @@ import numpy as np
 from ropsim.motion import PathLimits, Quantity
 from ropsim.planning.joint_limits.grid_lines_kernel import (
     FIRST_BOUND,
-    PIECE,
-    PLACE,
+    PARAMETER,
+    PATH_SEGMENT,
     TIME,
     GridLines,
     SectionTimes,
@@ -23,7 +23,7 @@ from ropsim.planning.joint_limits.limit_grid_kernel import (
 from ropsim.planning.trajectory.sections import Section, TimingRules
 from ropsim.spatial import Array, record
 
-_SAME_PLACE = 1e-7
+_SAME_PARAMETER = 1e-7
 """Share of a part below which two borders are one."""
 _QUANTITIES = tuple(Quantity)
 
@@ -63,8 +63,8 @@ class LimitGrid:
             caps: joint-imposed limits, and their places.
         """
         out = LoweredBounds(np.empty(self.bounds.shape), self.causes.copy(), np.empty(1))
-        ticks, reach = np.empty((4, caps.places.shape[1])), np.empty((2, caps.rows.shape[1]))
-        imposed = ImposedNumbers(caps.rows, caps.count, caps.places)
+        ticks, reach = np.empty((4, caps.parameters.shape[1])), np.empty((2, caps.rows.shape[1]))
+        imposed = ImposedNumbers(caps.rows, caps.count, caps.parameters)
         lower_bounds(imposed, GridBounds(self.borders, self.planned, self.bounds), ticks, reach, out)
         return self.with_bounds(out.bounds, out.causes, float(out.share[0]))
 
@@ -112,14 +112,14 @@ def limit_grid_of(part: Section, times: Array, start: float) -> LimitGrid:
     count, rows, counts = len(times), part.path_limits.rows, part.counts.astype(np.float64)
     out = GridLines(np.empty(len(counts) + 1), np.empty((6, count + len(rows) + 1)), np.empty(1))
     section, work = SectionTimes(part.law.segments, part.law.ends, start), np.empty((5, count))
-    lay_grid(section, times, np.ascontiguousarray(rows), counts, _SAME_PLACE, work[0], work[1:], out)
+    lay_grid(section, times, np.ascontiguousarray(rows), counts, _SAME_PARAMETER, work[0], work[1:], out)
     begins, grid = out.begins, out.cells
     c, moves = (
         int(out.total[0]),
         np.array([path_segment.move_number for path_segment in part.path_segments], dtype=np.float64),
     )
-    borders, reached, owners = grid[PLACE, : c + 1], grid[TIME, : c + 1], grid[PIECE, :c]
-    bounds = grid[FIRST_BOUND:PIECE, :c].copy()
+    borders, reached, owners = grid[PARAMETER, : c + 1], grid[TIME, : c + 1], grid[PATH_SEGMENT, :c]
+    bounds = grid[FIRST_BOUND:PATH_SEGMENT, :c].copy()
     return LimitGrid(
         part, begins, moves, borders, reached, owners, bounds, bounds, np.full((2, c), -1.0), 1.0
     )

@@ -21,12 +21,12 @@ class ImposedNumbers(NamedTuple):
     Attributes:
         rows: in columns kind, value, number of the tick, joint, quantity; of shape (5, h or more).
         total: of them, h.
-        places: path parameters from which and up to which limits of a tick count, of b ticks, shape (2, b).
+        parameters: path parameters between which the limits of each of b ticks count, shape (2, b).
     """
 
     rows: Array2
     total: int
-    places: Array2
+    parameters: Array2
 
 
 class GridBounds(NamedTuple):
@@ -70,13 +70,13 @@ def lower_bounds(
         reach: work, shape (2, h or more).
         out: the results.
     """
-    caps, count, places = imposed
+    caps, count, parameters = imposed
     borders, planned, before = grid
     bounds, causes = out.bounds, out.causes
     for kind in range(bounds.shape[0]):
         for cell in range(bounds.shape[1]):
             bounds[kind, cell] = before[kind, cell]
-    reach_of(caps, count, places, borders, before, ticks, reach)
+    reach_of(caps, count, parameters, borders, before, ticks, reach)
     for h in range(count):
         kind, value = int(caps[KIND, h]), caps[VALUE, h]
         for cell in range(int(reach[0, h]), int(reach[1, h]) + 1):

@@ -16,10 +16,10 @@ _SPACING = 8e-3
 """Real time between two places at which a motion is planned with that is slowed, about [s]."""
 _NARROW_SPACING = 4e-3
 """The same where the tool is led, for how joints follow it is less even, and where torque is too much."""
-_FIRST_LOOK = 4e-3
+_FIRST_SPACING = 4e-3
 """Time between two ticks at which a motion is evaluated first, at most [s]; with twice as much single motions
 last up to 6 % longer."""
-_FEWEST_LOOKS = 64
+_FEWEST_TICKS = 64
 """A motion of fewer of them is evaluated at all control ticks at once."""
 _TORQUE = list(Quantity).index(Quantity.TORQUE)
 _LONGER = 1.03
@@ -32,12 +32,12 @@ class Retiming:
 
     Attributes:
         motion: of the sequence by its timing, before nominal time goes slower.
-        kept: how it goes; Beyond where no speed can do.
+        retimed: how it goes; Beyond where no speed can do.
         slowed: where it is slower than it was planned.
     """
 
     motion: Trajectory
-    kept: RetimedTrajectory | Infeasible
+    retimed: RetimedTrajectory | Infeasible
     slowed: tuple[Slowed, ...]
 
     @property
@@ -48,14 +48,14 @@ class Retiming:
     @property
     def duration(self) -> float:
         """Return how long the motion lasts [s]; infinity where there is none."""
-        return self.kept.clock.duration if isinstance(self.kept, RetimedTrajectory) else float("inf")
+        return self.retimed.clock.duration if isinstance(self.retimed, RetimedTrajectory) else float("inf")
 
     @property
     def ends(self) -> tuple[float, ...]:
         """Return the times at which the moves end [s]; infinity where there is no motion."""
         ends = self.timing.ends
-        if isinstance(self.kept, RetimedTrajectory):
-            return tuple(self.kept.clock.times_of(ends).tolist())
+        if isinstance(self.retimed, RetimedTrajectory):
+            return tuple(self.retimed.clock.times_of(ends).tolist())
         return (float("inf"),) * len(ends)
 
 
@@ -71,27 +71,27 @@ def retimed(timing: Timing, arm: ArmBounds, ticks: Ticks, rules: TimingRules) ->
         ticks: of control.
         rules: time law and look-ahead.
     """
-    first = _first_look(timing, ticks)
+    first = _coarse_ticks(timing, ticks)
     planned = as_bounds_allow(Trajectory.on(timing), replace(arm, effort=None), first)
     fit = fitted(planned, arm, ticks, rules)
-    quick = _keeping(fit, arm, ticks)
+    quick = _by_nominal_time(fit, arm, ticks)
     if fit.motion is planned.motion or quick.duration <= _LONGER * planned.timing.duration:
         return quick
-    return min(quick, _keeping(planned.loaded(arm), arm, ticks), key=lambda one: one.duration)
+    return min(quick, _by_nominal_time(planned.loaded(arm), arm, ticks), key=lambda one: one.duration)
 
 
-def _keeping(fit: EvaluatedTrajectory, arm: ArmBounds, ticks: Ticks) -> Retiming:
+def _by_nominal_time(fit: EvaluatedTrajectory, arm: ArmBounds, ticks: Ticks) -> Retiming:
     is_led = any(section.part.leads_tool for section in fit.timing.sections)
     is_heavy = fit.reference.utilisation.used[_TORQUE].max() > 1.0
     spacing = _NARROW_SPACING if is_led or is_heavy else _SPACING
-    kept = retimed_from(fit.reference, fit.motion, arm.joints, arm.effort, ticks, spacing)
+    found = retimed_from(fit.reference, fit.motion, arm.joints, arm.effort, ticks, spacing)
     return Retiming(
-        fit.motion, kept, fit.slowed + (kept.slowed if isinstance(kept, RetimedTrajectory) else ())
+        fit.motion, found, fit.slowed + (found.slowed if isinstance(found, RetimedTrajectory) else ())
     )
 
 
-def _first_look(timing: Timing, ticks: Ticks) -> Ticks:
+def _coarse_ticks(timing: Timing, ticks: Ticks) -> Ticks:
     """Return the ticks at which a motion is evaluated first, a few control ticks apart."""
-    many = math.floor(_FIRST_LOOK / ticks.period * (1.0 + ROUNDING))
-    is_long = timing.duration >= _FEWEST_LOOKS * many * ticks.period
+    many = math.floor(_FIRST_SPACING / ticks.period * (1.0 + ROUNDING))
+    is_long = timing.duration >= _FEWEST_TICKS * many * ticks.period
     return Ticks(many * ticks.period) if many > 1 and is_long else ticks

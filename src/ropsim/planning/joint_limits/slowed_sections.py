@@ -10,7 +10,7 @@ from ropsim.planning.joint_limits.slowed_sections_kernel import GridNumbers, slo
 from ropsim.planning.trajectory.timing import Timing
 
 
-def slowed_in(planned: Timing, timing: Timing, bands: Mapping[int, LimitGrid]) -> tuple[Slowed, ...]:
+def slowed_in(planned: Timing, timing: Timing, grids: Mapping[int, LimitGrid]) -> tuple[Slowed, ...]:
     """Return the ways between two places that are slower, in order of time.
 
     The loss of speed counts as a share of the greatest speed on the part, so that a start that is somewhat
@@ -19,10 +19,10 @@ def slowed_in(planned: Timing, timing: Timing, bands: Mapping[int, LimitGrid]) -
     Args:
         planned: the timing as its limits alone would have it.
         timing: that joints can follow.
-        bands: of its sections by their numbers, with the causes.
+        grids: of its sections by their numbers, with the causes.
     """
     slowed: list[Slowed] = []
-    for number, own in sorted(bands.items()):
+    for number, own in sorted(grids.items()):
         if own.bounds is own.planned:
             continue
         section, count, law = timing.sections[number], len(own.owners), planned.sections[number].law

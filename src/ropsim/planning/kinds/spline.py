@@ -12,7 +12,7 @@ from ropsim.planning.kinds.request import PathRequest
 from ropsim.planning.records.wording import passes
 from ropsim.spatial import Pose
 
-_ONE_PLACE = 1e-6
+_SAME_POSITION = 1e-6
 """Points count as one within this distance [m], as points in the text do (T393)."""
 
 
@@ -35,7 +35,7 @@ def spline(request: PathRequest) -> ToolPath | tuple[Diagnostic, ...] | None:
 def _given_twice(points: Sequence[Pose]) -> str:
     """Return which neighbours are at one place, as the compiler says it of constants; empty for none."""
     for number, (one, other) in enumerate(pairwise(points), 1):
-        if np.linalg.norm(other.position - one.position) <= _ONE_PLACE:
+        if np.linalg.norm(other.position - one.position) <= _SAME_POSITION:
             last = "the target" if number + 1 == len(points) else f"point {number + 1}"
             return f"point {number} and {last} are at one place"
     return ""

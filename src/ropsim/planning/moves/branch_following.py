@@ -67,8 +67,8 @@ class BranchFollower:
         """
         q, result, arm = np.empty((len(matrices), len(q_start))), np.zeros(2), _wrist_arm(self.robot)
         if arm is not None:
-            rows, room = np.empty((1, 8, 6)), np.empty(ROOM_OF_ROWS)
-            follow_wrist(arm, self.axes, CLOSE, LIMIT_SLACK, matrices, q_start, q, rows, room, result)
+            rows, work = np.empty((1, 8, 6)), np.empty(ROOM_OF_ROWS)
+            follow_wrist(arm, self.axes, CLOSE, LIMIT_SLACK, matrices, q_start, q, rows, work, result)
             if result[0]:
                 return Follow(q, within=bool(result[1]))
         branches = np.ascontiguousarray(inverse_batch(self.robot, matrices, held))
@@ -105,13 +105,13 @@ class BranchFollower:
         for k in range(len(matrices)):
             now = self._nearest(branches[k], before)
             if not (np.abs(now - before) <= CLOSE).all():
-                now = self._nearest(self._free_joints_kept(matrices[k], before, rows[k]), before)
+                now = self._nearest(self._with_free_joints_held(matrices[k], before, rows[k]), before)
             if not np.abs(now - before).max() < JUMP:
                 return Follow(q[:k], complete=False, reachable=not np.isnan(branches[k]).all())
             q[k] = before = now
         return Follow(q)
 
-    def _free_joints_kept(self, X_BM: Array, q_before: Array, held: Array) -> Array:
+    def _with_free_joints_held(self, X_BM: Array, q_before: Array, held: Array) -> Array:
         """Return all branches for X_BM; joints that a singular pose leaves free stay where they are.
 
         The batch sets them to 0. A line that only touches a singularity keeps them and goes on.

@@ -11,7 +11,7 @@ from ropsim.spatial import Array
 
 FEWEST = 16
 """Steps of the shortest path."""
-LOOKS = 4
+SAMPLES = 4
 """Steps between the places at which speed and rotation of a path are evaluated."""
 
 
@@ -20,11 +20,11 @@ class StandardInterpolator:
     """Samples a path at equally spaced places, not further apart than a way and a turn of the tool.
 
     Attributes:
-        way: longest way of the TCP between two samples [m].
+        distance: longest way of the TCP between two samples [m].
         turn: largest turn of the tool between two samples [rad].
     """
 
-    way: float = 0.01
+    distance: float = 0.01
     turn: float = math.radians(2.0)
 
     def sample(self, path: ToolPath, sampling: int) -> PoseSetpoints:
@@ -35,18 +35,18 @@ class StandardInterpolator:
             sampling: how many times more samples than at first.
         """
         return PoseSetpoints(
-            path.length, path.tool(places(path.length, sampling * self.steps(path))).matrices
+            path.length, path.tool(even_parameters(path.length, sampling * self.steps(path))).matrices
         )
 
     def steps(self, path: ToolPath) -> int:
         """Return how many steps a path has at first."""
-        samples = path.tool(places(path.length, LOOKS)).d1  # (5, 6)
+        samples = path.tool(even_parameters(path.length, SAMPLES)).d1  # (5, 6)
         squares = np.add.reduce((samples * samples).reshape(-1, 2, 3), axis=2)
-        way, turn = (np.sqrt(np.maximum.reduce(squares, axis=0)) * path.length).tolist()
-        return max(FEWEST, math.ceil(float(way) / self.way), math.ceil(float(turn) / self.turn))
+        distance, turn = (np.sqrt(np.maximum.reduce(squares, axis=0)) * path.length).tolist()
+        return max(FEWEST, math.ceil(float(distance) / self.distance), math.ceil(float(turn) / self.turn))
 
 
-def places(length: float, steps: int) -> Array:
+def even_parameters(length: float, steps: int) -> Array:
     """Return the places between equal steps from 0 to a length, bit by bit as `numpy.linspace` does."""
     found = np.arange(steps + 1, dtype=np.float64) * (length / steps)
     found[-1] = length

@@ -72,10 +72,10 @@ def lost(line: Line, found: Follow, matrices: Array) -> Diagnostic:
         here = line.held if line.setpoints.external is None else line.held[row]
         options = IkOptions(near=here)
         shortfall = inverse(robot, Pose.from_matrix(matrices[row]), options).shortfall
-        beside = shortfall is not None and shortfall.status is IkStatus.OUT_OF_TASK_SPACE
-        left = "the poses that this arm can take" if beside else "the reach of the arm"
+        outside = shortfall is not None and shortfall.status is IkStatus.OUT_OF_TASK_SPACE
+        left = "the poses that this arm can take" if outside else "the reach of the arm"
         x, y, z = (1e3 * line.setpoints.matrices[row, :3, 3]).tolist()
-        return (OUT_OF_TASK_SPACE if beside else OUT_OF_REACH).at(
+        return (OUT_OF_TASK_SPACE if outside else OUT_OF_REACH).at(
             span,
             f"the line leaves {left} at {share:.0%} of the way, "
             f"with the TCP at ({x:.1f}, {y:.1f}, {z:.1f}) mm in the base frame",

@@ -85,9 +85,9 @@ def check_joints(
 
 def _axes_of(robot: RobotModel) -> str:
     """Return how many axes the arm has, and the number of other axes."""
-    beside = len(robot.external) if robot.has_arm else 0
-    own = f"`{robot.name}` has {robot.n - beside} {'joint' if robot.n - beside == 1 else 'joints'}"
-    return own + (f" and {beside} external {'axis' if beside == 1 else 'axes'}" if beside else "")
+    external = len(robot.external) if robot.has_arm else 0
+    own = f"`{robot.name}` has {robot.n - external} {'joint' if robot.n - external == 1 else 'joints'}"
+    return own + (f" and {external} external {'axis' if external == 1 else 'axes'}" if external else "")
 
 
 def limit_findings(

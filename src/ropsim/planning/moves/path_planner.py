@@ -102,7 +102,7 @@ class StandardPathPlanner:
             move: the instruction with its modal state.
             q_start: command joint coordinates at the end of the move before [rad | m], shape (n,).
         """
-        so_far = self._begun(move)
+        so_far = self._context(move)
         if isinstance(so_far, Refusal):
             return so_far
         if move.kind not in self.kinds:
@@ -110,7 +110,7 @@ class StandardPathPlanner:
         goal = self._tool_goal(move, q_start, so_far.X_MT)
         return goal if isinstance(goal, Refusal) else self._plan_tool(move, q_start, so_far, goal)
 
-    def _begun(self, move: MoveInstruction) -> PlannedPath | Refusal:
+    def _context(self, move: MoveInstruction) -> PlannedPath | Refusal:
         """Return limits, tool and findings of a move, or why its values cannot be used."""
         target, is_known = move.target, move.kind == MotionKind.PTP or move.kind in self.kinds
         if is_known and isinstance(target, Pose) and not move.external and is_near(target):
@@ -147,10 +147,10 @@ class StandardPathPlanner:
         if isinstance(branches, Refusal):
             return branches
         if move.posture is not None and self._range.inside(branches).any():
-            as_asked = with_request(self.robot, branches, move.posture)
-            if not self._range.inside(as_asked).any():
+            as_requested = with_request(self.robot, branches, move.posture)
+            if not self._range.inside(as_requested).any():
                 return Refusal((no_such_posture(move, self.robot, branches, q_start, self._range),))
-            branches = as_asked
+            branches = as_requested
         choice = choose(self.robot, branches, q_start, self._range, so_far.limits.joints)
         if choice is None:
             return Refusal((out_of_range(move, branches, self._range),))

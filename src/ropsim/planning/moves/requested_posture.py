@@ -81,8 +81,8 @@ def _possible_instead(
 
     rows = sorted(np.flatnonzero(limits.inside(q)).tolist(), key=distance)
     shown = dict.fromkeys(_as_terms(robot, request, postures[row], q[row]) for row in rows)
-    ways = " or ".join(f"`{one}`" for one in shown if one)
-    return f"possible here: {ways}" if ways else "leave `turns` out, or move the target"
+    options = " or ".join(f"`{one}`" for one in shown if one)
+    return f"possible here: {options}" if options else "leave `turns` out, or move the target"
 
 
 def _as_terms(robot: RobotModel, request: PostureRequest, name: Posture, q: Array) -> str:

@@ -50,7 +50,7 @@ _TURNED_OVER = 3.1
 """Angle from the possible orientation from which on its tool is turned over [rad]."""
 
 
-def _beside_hint(miss: Miss | None, X_BM: Pose) -> str:
+def _task_space_hint(miss: Miss | None, X_BM: Pose) -> str:
     """Return the hint for a pose X_BM of the mechanical interface outside the task space."""
     if miss is not None and miss.angle > _TURNED_OVER and X_BM.matrix()[2, 2] > 0.0:
         return (
@@ -72,23 +72,23 @@ def out_of_reach(
         q: joint coordinates with the external axes where they stand [rad | m], shape (n,).
     """
     x, y, z = (1e3 * X_BM.position).tolist()
-    place = f"mechanical interface at ({x:.1f}, {y:.1f}, {z:.1f}) mm in the base frame"
+    position = f"mechanical interface at ({x:.1f}, {y:.1f}, {z:.1f}) mm in the base frame"
     data = {
         "position_m": tuple(X_BM.position.tolist()),
         "pass": move.origin.visit,
         **_reach_data(shortfall.reach),
         **_miss_data(shortfall.miss),
     }
-    beside = shortfall.status is IkStatus.OUT_OF_TASK_SPACE
-    what = "this arm cannot take the command pose" if beside else "command pose is out of reach"
+    outside = shortfall.status is IkStatus.OUT_OF_TASK_SPACE
+    what = "this arm cannot take the command pose" if outside else "command pose is out of reach"
     why = shortfall_words(shortfall)
-    return (OUT_OF_TASK_SPACE if beside else OUT_OF_REACH).at(
+    return (OUT_OF_TASK_SPACE if outside else OUT_OF_REACH).at(
         move.origin.span,
-        f"{what}: {why or place}",
+        f"{what}: {why or position}",
         label=passes(move.origin),
-        notes=(*((place,) if why else ()), *external_notes(robot, q)),
-        hint=_beside_hint(shortfall.miss, X_BM)
-        if beside
+        notes=(*((position,) if why else ()), *external_notes(robot, q)),
+        hint=_task_space_hint(shortfall.miss, X_BM)
+        if outside
         else "move the target or its frame, and look at the units of its coordinates",
         data=data,
     )
@@ -171,7 +171,7 @@ def posture_for_later(
     finding = POSTURE_FOR_LATER.at(
         move.origin.span,
         f"{difference(robot, q_end, q_nearest)}, which is nearest, for the sake of a later move",
-        secondary=why.places,
+        secondary=why.labels,
         label=passes(move.origin),
         notes=(f"otherwise {why.words}",),
         hint="where another posture is wanted, name it with `config`, or shift the later move",

@@ -14,7 +14,7 @@ from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.planned_path import PlannedPath
 from ropsim.planning.records.posture_choice import JointRange, nearest_turns
 from ropsim.planning.records.wording import coordinate, passes
-from ropsim.planning.wrist.wrist_following import SAME_JOINTS, wrist_joints, wrist_lead
+from ropsim.planning.wrist.wrist_following import SAME_JOINTS, follow_prescribed_wrist, wrist_joints
 from ropsim.planning.wrist.wrist_motion import WristMotion, arm_axes
 from ropsim.planning.wrist.wrist_points import WristPoints, points_of
 from ropsim.spatial import Array, Pose, record
@@ -51,26 +51,28 @@ class WristPlanner:
         q_points = self._solved(move, points, so_far.X_MT)
         if isinstance(q_points, str):
             return Refusal((no_wrist_angles(move, q_points),))
-        wrist = monotone(points.places, q_points[:, list(arm_axes(self.robot)[3:])])
-        way = WristMotion(self.robot, so_far.X_MT, path, wrist, q_start, so_far.coordination)
-        lead = wrist_lead(way, points.end)
-        if lead.share < 1.0:
-            where = f"beyond {lead.share:.0%} of the way the other joints cannot keep the TCP on it"
+        wrist = monotone(points.parameters, q_points[:, list(arm_axes(self.robot)[3:])])
+        motion = WristMotion(self.robot, so_far.X_MT, path, wrist, q_start, so_far.coordination)
+        following = follow_prescribed_wrist(motion, points.end)
+        if following.share < 1.0:
+            where = f"beyond {following.share:.0%} of the way the other joints cannot keep the TCP on it"
             return Refusal((no_wrist_angles(move, where),))
-        away = np.abs(SampledPath(path.length, lead.q).joints(points.places).q - q_points).max(axis=1)
+        away = np.abs(SampledPath(path.length, following.q).joints(points.parameters).q - q_points).max(
+            axis=1
+        )
         if away.max() > SAME_JOINTS:
             number = int(np.argmax(away > SAME_JOINTS))
             where = f"on the way to {points.name(number)}"
             why = f"{where} shoulder or elbow would not stay as they are at its start"
             return Refusal((no_wrist_angles(move, why),))
-        q = np.vstack((lead.q[:-1], q_points[-1:]))
+        q = np.vstack((following.q[:-1], q_points[-1:]))
         line = Line(move, PoseSetpoints(path.length, np.zeros((len(q), 4, 4))), q_start, self.robot)
         refusals = limit_refusals(line, q, self.limits)
         if refusals:
             return Refusal(refusals)
-        joints = wrist_joints(way, q)
+        joints = wrist_joints(motion, q)
         findings = so_far.findings + end_findings(move, q[-1])
-        return replace(so_far, joints=joints, tool=way.led_by(joints), findings=findings)
+        return replace(so_far, joints=joints, tool=motion.led_by(joints), findings=findings)
 
     def _solved(self, move: MoveInstruction, points: WristPoints, X_MT: Pose) -> Array | str:
         """Return all joints at points (k, n), shoulder and elbow as at the start, or which is not reached.
@@ -79,7 +81,7 @@ class WristPlanner:
         """
         robot, q = self.robot, points.q.copy()
         arm, wrist, external = posture(robot, q[0]).words[:2], list(arm_axes(robot)[3:]), list(robot.external)
-        kept = np.array([name.words[:2] == arm for name in solver_of(robot).postures])
+        same_arm = np.array([name.words[:2] == arm for name in solver_of(robot).postures])
         for k in range(1, len(q)):
             wanted = _joints_wanted(move) if k == points.end else None
             if wanted is not None and posture(robot, wanted).words[:2] == arm:
@@ -88,7 +90,7 @@ class WristPlanner:
             near = q[k - 1].copy()
             near[external] = q[k, external]
             X_BM = Pose.from_matrix(points.X_BT[k]) @ X_MT.inverse()
-            found = inverse(robot, X_BM, IkOptions(Limits.IGNORE, near=near)).branches[kept]
+            found = inverse(robot, X_BM, IkOptions(Limits.IGNORE, near=near)).branches[same_arm]
             found = nearest_turns(found, near, self.limits)
             found = found[~np.isnan(found).any(axis=1)]
             within = found[(self.limits.excess(found) == 0.0).all(axis=1)]

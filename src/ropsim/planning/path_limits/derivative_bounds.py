@@ -87,7 +87,7 @@ def derivative_bounds_of(sample: Look, grid: Array, limits: JointMotionLimits) -
 def _bounds(s: Array, d1: Array, d2: Array, rates: Array) -> tuple[DerivativeBounds, npt.NDArray[np.intp]]:
     """Return bounds between path parameters, and the cells in which they are loose."""
     k, (_, parts, size) = len(s) - 1, d1.shape
-    table, room, out = np.empty((10, k, parts)), np.empty((k, size + SIZES)), np.empty((2, k))
+    table, work, out = np.empty((10, k, parts)), np.empty((k, size + SIZES)), np.empty((2, k))
     rows = np.ascontiguousarray(d1), np.ascontiguousarray(d2)
-    bounds_of(s, *rows, rates, np.empty(parts), room, table, out[0], out[1])
+    bounds_of(s, *rows, rates, np.empty(parts), work, table, out[0], out[1])
     return DerivativeBounds(np.diff(s), table[:5]), np.flatnonzero(out[1])

@@ -21,10 +21,10 @@ from ropsim.planning.path_limits.path_limits_kernel import bent_limits, straight
 from ropsim.planning.records.coordination import Coordination
 from ropsim.spatial import Array, frozen
 
-_PLACES = np.linspace(0.0, 1.0, 33)
+_SHARES = np.linspace(0.0, 1.0, 33)
 _STRAIGHT = 1e-9
 """A path of the tool whose direction changes by less from end to end is straight."""
-_SAME_PLACE = 1e-9
+_SAME_PARAMETER = 1e-9
 """Share of a path below which two ends of path limits are one."""
 
 
@@ -37,15 +37,15 @@ def joint_path_limits(path: JointPath, limits: JointMotionLimits) -> PathLimits:
     """
     if (same := constant_derivatives(path)) is not None:
         return _straight(path.length, np.abs(same), limits)
-    points = path.joints(_PLACES * path.length)
+    points = path.joints(_SHARES * path.length)
     if not points.d2.any():
         return _straight(path.length, np.abs(points.d1).max(axis=0), limits)
 
-    def look(places: Array) -> tuple[Array, Array]:
-        rows = path.joints(places)
+    def sample(s: Array) -> tuple[Array, Array]:
+        rows = path.joints(s)
         return rows.d1[:, :, None], rows.d2[:, :, None]
 
-    return _bent(derivative_bounds_of(look, _PLACES * path.length, limits), limits, 1.0)
+    return _bent(derivative_bounds_of(sample, _SHARES * path.length, limits), limits, 1.0)
 
 
 def tool_path_limits(path: ToolPath, limits: ToolLimits) -> PathLimits:
@@ -74,16 +74,16 @@ def tool_path_limit_choices(
     if (same := constant_derivatives(path)) is not None:
         return (_even(path.length, same.tolist(), limits),)
 
-    def look(places: Array) -> tuple[Array, Array]:
-        rows = path.tool(places)
+    def sample(s: Array) -> tuple[Array, Array]:
+        rows = path.tool(s)
         return rows.d1.reshape(-1, 2, 3), rows.d2.reshape(-1, 2, 3)
 
     both = _of_parts(limits)
-    d1, d2 = (np.linalg.norm(rows, axis=2).max(axis=0) for rows in look(_PLACES * path.length))
+    d1, d2 = (np.linalg.norm(rows, axis=2).max(axis=0) for rows in sample(_SHARES * path.length))
     if float((d2 * path.length).max()) <= _STRAIGHT * float(d1.max()):
         return (_straight(path.length, d1, both),)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # of a point in which it turns back
-        derivative_bounds = derivative_bounds_of(look, grid(path), both)
+        derivative_bounds = derivative_bounds_of(sample, grid(path), both)
     return _choices(
         _bent(derivative_bounds, both, shares[0]),
         lambda share: _bent(derivative_bounds, both, share),
@@ -129,13 +129,13 @@ def along_with(path_limits: PathLimits, coordination: Coordination | None) -> Pa
     if coordination is None:
         return path_limits
     axes = joint_path_limits(coordination.axes, coordination.limits)
-    ways = [each.ends for each in (path_limits, axes)]
-    length = float(ways[0][-1])
-    ends = np.unique(np.concatenate((ways[0][:-1], ways[1][:-1])))
-    near = _SAME_PLACE * length
+    borders = [each.ends for each in (path_limits, axes)]
+    length = float(borders[0][-1])
+    ends = np.unique(np.concatenate((borders[0][:-1], borders[1][:-1])))
+    near = _SAME_PARAMETER * length
     ends = ends[(np.diff(ends, prepend=0.0) > near) & (ends < length - near)]
     middles = 0.5 * (np.append(0.0, ends) + np.append(ends, length))
-    here, there = (np.minimum(np.searchsorted(way, middles), len(way) - 1) for way in ways)
+    here, there = (np.minimum(np.searchsorted(border, middles), len(border) - 1) for border in borders)
     least = np.minimum(path_limits.bounds[here], axes.bounds[there])
     return PathLimits(np.column_stack((np.diff(ends, prepend=0.0, append=length), least)))
 
@@ -149,12 +149,12 @@ def _of_parts(limits: ToolLimits) -> JointMotionLimits:
 def _even(length: float, d1: list[float], limits: ToolLimits) -> PathLimits:
     """Return the bounds along a path with the same first derivatives of the tool everywhere, six numbers."""
     x, y, z, a, b, c = d1
-    way, turn = max(sqrt(x * x + y * y + z * z), TINY), max(sqrt(a * a + b * b + c * c), TINY)
+    shift, turn = max(sqrt(x * x + y * y + z * z), TINY), max(sqrt(a * a + b * b + c * c), TINY)
     row = (
         length,
-        min(limits.speed / way, limits.orientation_speed / turn),
-        min(limits.acceleration / way, limits.orientation_acceleration / turn),
-        min(limits.jerk / way, limits.orientation_jerk / turn),
+        min(limits.speed / shift, limits.orientation_speed / turn),
+        min(limits.acceleration / shift, limits.orientation_acceleration / turn),
+        min(limits.jerk / shift, limits.orientation_jerk / turn),
     )
     return PathLimits(np.array((row,)))
 

@@ -50,7 +50,7 @@ def bent_limits(
         for part in range(bounds.shape[2]):
             slow = _lesser(slow, limits[0, part] / _greater(bounds[D1, i, part], TINY))
         speeds[i] = slow
-    _write_room(bounds, limits, speeds, cells)
+    _write_bounds(bounds, limits, speeds, cells)
     result[0] = _join_alike(lengths, cells, out)
 
 
@@ -77,7 +77,7 @@ def straight_limits(
     out[0, 0], out[0, 1], out[0, 2], out[0, 3] = length, v, a, j
 
 
-def _write_room(bounds: Array, limits: Array, speeds: Array, out: Array) -> None:
+def _write_bounds(bounds: Array, limits: Array, speeds: Array, out: Array) -> None:
     """Write the speeds, accelerations and jerks along a path that hold together in k cells.
 
     Args:
@@ -95,11 +95,11 @@ def _write_room(bounds: Array, limits: Array, speeds: Array, out: Array) -> None
             most, jerk = limits[1, part], limits[2, part]
             along, across = bounds[ALONG + 1, i, part] * cube, bounds[ACROSS + 1, i, part] * cube
             bent = second_across * (v * v)
-            room = sqrt(_greater(most * most - bent * bent, 0.0)) - second * (v * v)
+            remaining = sqrt(_greater(most * most - bent * bent, 0.0)) - second * (v * v)
             left = MIXED * (sqrt(_greater(jerk * jerk - across * across, 0.0)) - along)
             rest = sqrt(_greater(jerk * jerk - (along + left) * (along + left), 0.0)) - across
             mixed = _lesser(left / _greater(second * v, TINY), rest / _greater(second_across * v, TINY))
-            a = _lesser(a, _lesser(room / d1, mixed / 3.0))
+            a = _lesser(a, _lesser(remaining / d1, mixed / 3.0))
         for part in range(bounds.shape[2]):
             d1, jerk = _greater(bounds[D1, i, part], TINY), limits[2, part]
             along, across = bounds[ALONG + 1, i, part] * cube, bounds[ACROSS + 1, i, part] * cube

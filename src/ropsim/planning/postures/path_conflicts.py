@@ -15,7 +15,7 @@ from ropsim.motion import (
     has_straight_tcp,
     own_law_of,
 )
-from ropsim.planning.moves.interpolator import places
+from ropsim.planning.moves.interpolator import even_parameters
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.postures.part_times_kernel import longest_cell, part_times
 from ropsim.planning.records.conflict import Conflict
@@ -84,8 +84,8 @@ def is_narrow(limits: JointRange, move: PlannedMove) -> bool:
     if move.joints is None:
         return False
     q = move.joints.joints(np.linspace(0.0, move.joints.length, _STEPS + 1)).q
-    room = np.minimum(q - limits.lower, limits.upper - q)[:, limits.revolute > 0.0]
-    return bool((room < NARROW).any())
+    margin = np.minimum(q - limits.lower, limits.upper - q)[:, limits.revolute > 0.0]
+    return bool((margin < NARROW).any())
 
 
 def time_of(robot: RobotModel, move: PlannedMove, q_start: Array) -> float:
@@ -125,7 +125,7 @@ def _times(robot: RobotModel, move: PlannedMove) -> tuple[Array, Array, float]:
     assert move.tool is not None
     assert move.joints is not None
     length, limits = move.tool.length, move.planned.limits.tool
-    at = places(length, _STEPS)
+    at = even_parameters(length, _STEPS)
     d1, q = move.tool.tool(at).d1, move.joints.joints(at).q
     own, needs, result = np.empty(_STEPS), np.empty((_STEPS, robot.n)), np.empty(1)
     speed, turning = max(limits.speed, _TINY), max(limits.orientation_speed, _TINY)

@@ -26,7 +26,7 @@ from ropsim.planning.records.motion_chain import MotionChain
 from ropsim.planning.records.posture_choice import JointRange, nearest_turns, turned_branches
 from ropsim.spatial import Array, Pose, record
 
-MOST_LEGS = 2000
+MOST_MOVES = 2000
 """Legs that are tried at most; targets behind them take the nearest posture."""
 
 _SAME = 1e-6
@@ -34,7 +34,7 @@ _SAME = 1e-6
 
 
 @record
-class Way:
+class CandidatePlan:
     """A way through the first moves of a sequence.
 
     Attributes:
@@ -69,7 +69,7 @@ def has_choice(move: MoveInstruction) -> bool:
 
 def search(
     chain: MotionChain, sequence: Sequence[MoveInstruction], q_start: Array, conflicts: Sequence[Conflict]
-) -> Way:
+) -> CandidatePlan:
     """Return the best way through a sequence.
 
     That is the one on which most moves can be made, then fewest paths whirl the joints, then least is changed
@@ -83,32 +83,36 @@ def search(
     """
     limits = JointRange.of(chain.robot)
     bounds = [*(number for number, move in enumerate(sequence) if has_choice(move)), len(sequence)]
-    ways, ended, tried = [_onward(chain, limits, Way(q_start), sequence[: bounds[0]])], list[Way](), 0
+    candidates, ended, tried = (
+        [_onward(chain, limits, CandidatePlan(q_start), sequence[: bounds[0]])],
+        list[CandidatePlan](),
+        0,
+    )
     for number, behind in pairwise(bounds):
         starts = list[_Start]()
-        for way in ways:
-            planned_move = planned_move_of(chain, sequence[number], way.q)
+        for candidate in candidates:
+            planned_move = planned_move_of(chain, sequence[number], candidate.q)
             if isinstance(planned_move, Refusal):
-                ended.append(replace(way, refusal=planned_move))
+                ended.append(replace(candidate, refusal=planned_move))
             else:
-                starts.append(_Start(way, planned_move))
-        goals = _goals(chain, starts, limits) if tried < MOST_LEGS else [one.nearest.q_end for one in starts]
-        ways = []
+                starts.append(_Start(candidate, planned_move))
+        goals = _goals(chain, starts, limits) if tried < MOST_MOVES else [one.nearest.q_end for one in starts]
+        candidates = []
         for q_end in goals:
             there = _taken(chain, starts, q_end, _reason(conflicts, number))
             if there is None:
                 continue
-            way = _onward(chain, limits, there, sequence[number + 1 : behind])
-            tried += len(way.moves) - number
-            (ended if way.refusal else ways).append(way)
-    return min(ways or ended, key=lambda way: way.rank)
+            candidate = _onward(chain, limits, there, sequence[number + 1 : behind])
+            tried += len(candidate.moves) - number
+            (ended if candidate.refusal else candidates).append(candidate)
+    return min(candidates or ended, key=lambda candidate: candidate.rank)
 
 
 @record
 class _Start:
     """A way to the start of a PTP move, and the move as the planner makes it."""
 
-    way: Way
+    candidate: CandidatePlan
     nearest: PlannedMove
 
 
@@ -142,7 +146,7 @@ def _change(robot: RobotModel, q_nearest: Array, q_end: Array) -> int:
     return 1 + sum(one != other for one, other in zip(nearest.words, taken.words, strict=True))
 
 
-def _taken(chain: MotionChain, starts: Sequence[_Start], q_end: Array, why: Conflict) -> Way | None:
+def _taken(chain: MotionChain, starts: Sequence[_Start], q_end: Array, why: Conflict) -> CandidatePlan | None:
     """Return the best way to joint coordinates; None where the planner makes none.
 
     Args:
@@ -151,17 +155,19 @@ def _taken(chain: MotionChain, starts: Sequence[_Start], q_end: Array, why: Conf
         q_end: where it ends [rad | m], shape (n,).
         why: the conflict that requires another posture than the nearest one.
     """
-    best: Way | None = None
+    best: CandidatePlan | None = None
     for start in starts:
-        way, move = start.way, start.nearest
-        changes = way.changes
+        candidate, move = start.candidate, start.nearest
+        changes = candidate.changes
         if not _is_same(move.q_end, q_end):
             other = _to_joints(chain, start, q_end, why)
             if isinstance(other, Refusal):
                 continue
             move, changes = other, changes + _change(chain.robot, move.q_end, q_end)
-        time = way.time + time_of(chain.robot, move, way.q)
-        found = Way(move.q_end, (*way.moves, move), None, way.conflicts, changes, way.narrow, time)
+        time = candidate.time + time_of(chain.robot, move, candidate.q)
+        found = CandidatePlan(
+            move.q_end, (*candidate.moves, move), None, candidate.conflicts, changes, candidate.narrow, time
+        )
         if best is None or found.rank < best.rank:
             best = found
     return best
@@ -171,7 +177,7 @@ def _to_joints(chain: MotionChain, start: _Start, q_end: Array, why: Conflict) -
     """Return the move to other joint coordinates of its target, with a hint instead of M511."""
     move = start.nearest.move
     there = replace(move, target=tuple(q_end.tolist()), external=())
-    planned_move = planned_move_of(chain, there, start.way.q)
+    planned_move = planned_move_of(chain, there, start.candidate.q)
     if isinstance(planned_move, Refusal):
         return planned_move
     said = tuple(one for one in start.nearest.findings if one.code != POSTURE_CHANGE.code)
@@ -184,9 +190,11 @@ def _reason(conflicts: Sequence[Conflict], number: int) -> Conflict:
     return next((one for one in conflicts if one.number > number), conflicts[-1])
 
 
-def _onward(chain: MotionChain, limits: JointRange, way: Way, moves: Sequence[MoveInstruction]) -> Way:
+def _onward(
+    chain: MotionChain, limits: JointRange, candidate: CandidatePlan, moves: Sequence[MoveInstruction]
+) -> CandidatePlan:
     """Return the way with moves that have no choice, up to the first infeasible one."""
-    q, time, conflicts, narrow = way.q, way.time, way.conflicts, way.narrow
+    q, time, conflicts, narrow = candidate.q, candidate.time, candidate.conflicts, candidate.narrow
     planned, refusal = planned_moves(chain, moves, q)
     for move in planned:
         time += time_of(chain.robot, move, q)
@@ -194,4 +202,4 @@ def _onward(chain: MotionChain, limits: JointRange, way: Way, moves: Sequence[Mo
             conflicts += conflict_of(chain.robot, move, 0) is not None
             narrow += is_narrow(limits, move)
         q = move.q_end
-    return Way(q, (*way.moves, *planned), refusal, conflicts, way.changes, narrow, time)
+    return CandidatePlan(q, (*candidate.moves, *planned), refusal, conflicts, candidate.changes, narrow, time)

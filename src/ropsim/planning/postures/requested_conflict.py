@@ -25,7 +25,7 @@ def without_request(sequence: Sequence[MoveInstruction], number: int) -> list[Mo
     return [*sequence[:number], replace(sequence[number], posture=None), *sequence[number + 1 :]]
 
 
-def in_the_way(
+def conflict_with_request(
     robot: RobotModel, refused: PlannedMove, free: PlannedMove, conflict: Conflict
 ) -> tuple[Diagnostic, ...]:
     """Return M589 for a move with a posture request.
@@ -40,7 +40,7 @@ def in_the_way(
     finding = POSTURE_IN_THE_WAY.at(
         move.origin.span,
         f"{requested_of(move)}, which this move asks for, a later path cannot be followed",
-        secondary=conflict.places,
+        secondary=conflict.labels,
         label=passes(move.origin),
         notes=(conflict.words,),
         hint=f"leave that out: {difference(robot, free.q_end, refused.q_end)}, and it can be followed",

@@ -19,6 +19,6 @@ class Conflict:
     span: Span | None
 
     @property
-    def places(self) -> tuple[Label, ...]:
+    def labels(self) -> tuple[Label, ...]:
         """Return the mark on its move, for findings about other ones."""
         return (Label(self.span, "this path"),) if self.span else ()

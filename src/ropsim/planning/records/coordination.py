@@ -10,8 +10,8 @@ from ropsim.motion import JointMotionLimits, JointPath, JointSection, ToolPath, 
 from ropsim.planning.records.moving_frames import MovingFrame
 from ropsim.spatial import Array, record
 
-_SAME_PLACE = 1e-9  # [rad | m]; rounding of values that a program computes
-_TURN, _WAY = np.radians(2.0), 0.01  # of an axis between two samples [rad | m]
+_SAME_POSITION = 1e-9  # [rad | m]; rounding of values that a program computes
+_TURN, _DISTANCE = np.radians(2.0), 0.01  # of an axis between two samples [rad | m]
 
 
 @record
@@ -62,7 +62,7 @@ class Coordination:
         s = np.linspace(0.0, self.axes.length, steps + 1)
         far = np.abs(np.diff(self.axes.joints(s).q, axis=0)).max(axis=0, initial=0.0)
         joints = (self.robot.axis_joints[k] for k in self.robot.external)
-        most = [_TURN if joint.measure is JointType.REVOLUTE else _WAY for joint in joints]
+        most = [_TURN if joint.measure is JointType.REVOLUTE else _DISTANCE for joint in joints]
         return float((far / most).max())
 
 
@@ -74,7 +74,7 @@ def moved_axes(robot: RobotModel, q_start: Array, q_end: Array) -> tuple[int, ..
         q_start: coordinates of all axes at its start [rad | m], shape (n,).
         q_end: at its end, of which only the external axes count [rad | m], shape (n,).
     """
-    return tuple(k for k in robot.external if abs(float(q_end[k] - q_start[k])) > _SAME_PLACE)
+    return tuple(k for k in robot.external if abs(float(q_end[k] - q_start[k])) > _SAME_POSITION)
 
 
 def coordination_along(

@@ -5,7 +5,7 @@ from functools import lru_cache
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState
 from ropsim.model import ControllerModel
-from ropsim.motion import JointMotionLimits, JointPath, ToolLimits, ToolPath, parameter_is_way
+from ropsim.motion import JointMotionLimits, JointPath, ToolLimits, ToolPath, parameter_is_arc_length
 from ropsim.planning.records.coordination import Coordination
 from ropsim.spatial import Pose, record
 
@@ -53,10 +53,10 @@ class PlannedPath:
         takes this time.
         """
         path, limits = self.tool, self.limits.tool
-        is_way = parameter_is_way(path) if path else None
-        if path is None or is_way is None:
+        is_arc_length = parameter_is_arc_length(path) if path else None
+        if path is None or is_arc_length is None:
             return 0.0
-        return path.length / (limits.speed if is_way else max(limits.speed, limits.orientation_speed))
+        return path.length / (limits.speed if is_arc_length else max(limits.speed, limits.orientation_speed))
 
 
 _Rate = float | None

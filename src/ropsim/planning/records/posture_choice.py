@@ -133,12 +133,12 @@ def choose(
     inside: list[bool] = limits.inside(branches).tolist()
     if True not in inside:
         return None
-    kept = [row for row in _start_rows(robot, q_start) if inside[row]]
-    rows = kept or [row for row, is_inside in enumerate(inside) if is_inside]
+    same = [row for row in _start_rows(robot, q_start) if inside[row]]
+    rows = same or [row for row, is_inside in enumerate(inside) if is_inside]
     if len(rows) == 1:
-        return Choice(branches[rows[0]], keeps_posture=bool(kept))
+        return Choice(branches[rows[0]], keeps_posture=bool(same))
     shortest = int(np.argmin(durations(q_start, branches[rows], motion)))
-    return Choice(branches[rows[shortest]], keeps_posture=bool(kept))
+    return Choice(branches[rows[shortest]], keeps_posture=bool(same))
 
 
 def _start_rows(robot: RobotModel, q_start: Array) -> list[int]:

@@ -71,14 +71,14 @@ def trigger_ticks(
     behind = np.concatenate(([0.0], np.cumsum(steps)))  # way from the start [m], (k + 1,)
     planned, findings = [], []
     for trigger in move.triggers:
-        places, unit, size = (behind, "mm", trigger.distance)
+        covered, unit, size = (behind, "mm", trigger.distance)
         if size is None:
-            places, unit, size = np.arange(len(behind)) * period, "s", trigger.time or 0.0
-        whole = float(places[-1])
+            covered, unit, size = np.arange(len(behind)) * period, "s", trigger.time or 0.0
+        whole = float(covered[-1])
         wanted = size if trigger.side is Side.AFTER_START else whole - size
         if not -_SLACK <= wanted <= whole + _SLACK:
             findings.append(_off_path(move, trigger, size, whole, unit))
-        tick = min(int(np.searchsorted(places, wanted - _SLACK)), len(behind) - 1)
+        tick = min(int(np.searchsorted(covered, wanted - _SLACK)), len(behind) - 1)
         planned.append(PlannedTrigger(trigger, first + tick))
     return tuple(sorted(planned, key=lambda one: one.tick)), tuple(findings)
 

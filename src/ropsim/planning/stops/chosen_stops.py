@@ -10,7 +10,7 @@ from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.stops.quicker_stops import Times, quicker_stops, without
 from ropsim.planning.stops.sequence_times import arm_times, times_alone, tool_times
 from ropsim.planning.trajectory.sections import TimingRules, sections_of
-from ropsim.planning.trajectory.segments import Walk, segments_of
+from ropsim.planning.trajectory.segments import JoinedSegments, segments_of
 from ropsim.planning.trajectory.timing import Timing, timing_of
 from ropsim.spatial import record
 
@@ -23,14 +23,14 @@ class ByTool:
 
     Attributes:
         stops: numbers of points that became stops.
-        corners: that are left.
+        blends: that are left.
         timing: of the sequence with them.
         alone: times that the moves take from rest to rest, at least [s].
         times: of moves from rest to rest with the blends between them.
     """
 
     stops: tuple[int, ...]
-    corners: Blends
+    blends: Blends
     timing: Timing
     alone: tuple[float, ...]
     times: Times
@@ -42,28 +42,28 @@ class ByJoints:
 
     Attributes:
         stops: numbers of points that became stops for the joints.
-        corners: that are left.
-        keeping: the motion with them.
+        blends: that are left.
+        retiming: the motion with them.
     """
 
     stops: tuple[int, ...]
-    corners: Blends
-    keeping: Retiming
+    blends: Blends
+    retiming: Retiming
 
 
 def by_tool(
-    moves: Sequence[PlannedMove], blends: Blends, walks: Sequence[Walk], rules: TimingRules
+    moves: Sequence[PlannedMove], blends: Blends, joined: Sequence[JoinedSegments], rules: TimingRules
 ) -> ByTool:
     """Return which blends are quicker than stops by the limits of the tool.
 
     Args:
         moves: the moves.
         blends: between each two of them.
-        walks: the segments of the moves with these blends, as from `segments_of`.
+        joined: the segments of the moves with these blends, as from `segments_of`.
         rules: time law and look-ahead.
     """
     stops: tuple[int, ...] = ()
-    parts = sections_of(walks, rules)
+    parts = sections_of(joined, rules)
     alone, times = times_alone(moves, parts, rules), tool_times(moves, blends, rules)
     timing = timing_of(parts, len(moves))
     while more := quicker_stops(blends, timing.ends, alone, times):
@@ -88,20 +88,20 @@ def by_joints(
         rules: time law and look-ahead.
     """
 
-    def kept(blends: Blends) -> Retiming:
+    def retimed_with(blends: Blends) -> Retiming:
         timing = timing_of(sections_of(segments_of(moves, blends), rules), len(moves))
         return retimed(timing, arm, ticks, rules)
 
-    blends = chosen.corners
+    blends = chosen.blends
     stops: tuple[int, ...] = ()
     retiming = retimed(chosen.timing, arm, ticks, rules)
     times = arm_times(moves, blends, rules, chosen.times, arm, ticks)
     while more := quicker_stops(blends, retiming.ends, chosen.alone, times):
         blends, stops = without(blends, more), (*stops, *more)
-        retiming = kept(blends)
+        retiming = retimed_with(blends)
     rounded = tuple(number for number, blend in enumerate(blends) if blend)
     if rounded and retiming.duration > sum(chosen.alone):
         nowhere = without(blends, rounded)
-        if (stopping := kept(nowhere)).duration < retiming.duration:
+        if (stopping := retimed_with(nowhere)).duration < retiming.duration:
             return ByJoints((*stops, *rounded), nowhere, stopping)
     return ByJoints(stops, blends, retiming)

@@ -58,10 +58,10 @@ def quicker_stops(
         if not any(slow):
             continue
         whole = sum(taken) > sum(alone[first:last])
-        places = [
+        indices = [
             number + 1 for number in range(last - first - 1) if whole or slow[number] or slow[number + 1]
         ]
-        stops = _shortest([first, *(first + place for place in places), last], sum(taken), times)
+        stops = _shortest([first, *(first + index for index in indices), last], sum(taken), times)
         found += (stop - 1 for stop in stops)
     return tuple(found)
 
@@ -84,19 +84,19 @@ def _shortest(nodes: Sequence[int], present: float, times: Times) -> list[int]:
     known = {whole: present * (1.0 - _WORTH)}
     exact = {whole}
     while True:
-        way = _way(nodes, known, times)
-        unknown = [edge for edge in way if edge not in exact]
+        path = _least_path(nodes, known, times)
+        unknown = [edge for edge in path if edge not in exact]
         if not unknown:
-            return [last for _, last in way[:-1]]
+            return [last for _, last in path[:-1]]
         known |= {edge: times.exact(edge) for edge in unknown}
         exact.update(unknown)
 
 
-def _way(nodes: Sequence[int], known: dict[Span, float], times: Times) -> list[Span]:
+def _least_path(nodes: Sequence[int], known: dict[Span, float], times: Times) -> list[Span]:
     """Return the edges of the shortest way by known times; lower bounds count for the others."""
     costs, before = [0.0], [0]
-    for place, node in enumerate(nodes[1:], 1):
-        begins = set(range(max(place - _FURTHEST, 0), place)) | ({0} if place == len(nodes) - 1 else set())
+    for index, node in enumerate(nodes[1:], 1):
+        begins = set(range(max(index - _FURTHEST, 0), index)) | ({0} if index == len(nodes) - 1 else set())
         for begin in begins:
             edge = (nodes[begin], node)
             if edge not in known:
@@ -104,11 +104,11 @@ def _way(nodes: Sequence[int], known: dict[Span, float], times: Times) -> list[S
         cost, best = min((costs[begin] + known[nodes[begin], node], begin) for begin in sorted(begins))
         costs.append(cost)
         before.append(best)
-    way, place = [], len(nodes) - 1
-    while place:
-        way.append((nodes[before[place]], nodes[place]))
-        place = before[place]
-    return way[::-1]
+    path, index = [], len(nodes) - 1
+    while index:
+        path.append((nodes[before[index]], nodes[index]))
+        index = before[index]
+    return path[::-1]
 
 
 def without(blends: Sequence[Blend | None], stops: Sequence[int]) -> list[Blend | None]:

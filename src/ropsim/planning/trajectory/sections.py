@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from ropsim.motion import PathLimits, TimeLaw, TimeLawPlanner, own_law_of
 from ropsim.planning.blends.blend import JointSpaceBlend
-from ropsim.planning.trajectory.segments import PathSegment, Walk
+from ropsim.planning.trajectory.segments import JoinedSegments, PathSegment
 from ropsim.planning.trajectory.timing_kernel import lay_horizons
 from ropsim.spatial import Array, record
 
@@ -65,14 +65,14 @@ class Section:
         return np.asarray(ends[np.append(0, np.cumsum(self.counts))])
 
 
-def sections_of(walks: Sequence[Walk], rules: TimingRules) -> tuple[Section, ...]:
+def sections_of(joined: Sequence[JoinedSegments], rules: TimingRules) -> tuple[Section, ...]:
     """Return the parts of a sequence between which the arm stops or motions overlap.
 
     Args:
-        walks: the segments, as from `pieces_of`.
+        joined: the segments, as from `pieces_of`.
         rules: time law and look-ahead.
     """
-    return tuple(_quickest(path_segments, over, rules) for path_segments, over in walks)
+    return tuple(_quickest(path_segments, over, rules) for path_segments, over in joined)
 
 
 def section_of(

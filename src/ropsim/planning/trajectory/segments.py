@@ -27,7 +27,7 @@ _SHARES = (1.0, 0.9, 0.81, 0.729, 0.656, 0.59, 0.531, 0.478)
 """Of the highest speed that a bend allows: shares that are tried on the path of a move."""
 _NOTHING = 1e-9
 """Share of a path below which nothing is left of it between two blends."""
-_NO_STAGES = PathLimits.of(())
+_NO_LIMITS = PathLimits.of(())
 
 
 @record
@@ -62,13 +62,13 @@ class PathSegment:
         return len(self.path_limits.rows) == 1 and not self.gentler
 
 
-_piece, _section = maker(PathSegment), maker(JointSection)
+_path_segment, _section = maker(PathSegment), maker(JointSection)
 
-Walk = tuple[list[PathSegment], JointSpaceBlend | None]
+JoinedSegments = tuple[list[PathSegment], JointSpaceBlend | None]
 """Segments traversed together, and their blend into the next ones; None for a stop."""
 
 
-def segments_of(moves: Sequence[PlannedMove], blends: Sequence[Blend | None]) -> list[Walk]:
+def segments_of(moves: Sequence[PlannedMove], blends: Sequence[Blend | None]) -> list[JoinedSegments]:
     """Return the path segments of a sequence in order.
 
     Args:
@@ -85,7 +85,7 @@ def segments_of(moves: Sequence[PlannedMove], blends: Sequence[Blend | None]) ->
         if leaves - enters > _NOTHING * length:
             parts[number] = enters, leaves
         enters = blend.enter if isinstance(blend, CartesianBlend) else 0.0
-    sections: list[Walk] = []
+    sections: list[JoinedSegments] = []
     path_segments: list[PathSegment] = []
     for number, (move, blend) in enumerate(zip(moves, (*blends, None), strict=True)):
         if number in parts:
@@ -106,18 +106,22 @@ def _straight(number: int, move: PlannedMove, first: float, last: float) -> Path
     if not whole:
         joints = _section(joints, first, last)
     if tool is None:
-        path_limits = _NO_STAGES if own_law_of(joints) else joint_path_limits(joints, planned.limits.joints)
-        return _piece(number, joints, None, planned.X_MT, path_limits, None, None, first, ())
+        path_limits = _NO_LIMITS if own_law_of(joints) else joint_path_limits(joints, planned.limits.joints)
+        return _path_segment(number, joints, None, planned.X_MT, path_limits, None, None, first, ())
     if not whole:
         tool = ToolSection(tool, first, last)
         coordination = coordination.part(first, last) if coordination else None
     choices = tool_path_limit_choices(tool, planned.limits.tool, _SHARES)
     path_limits, *gentler = (along_with(one, coordination) for one in choices)
-    return _piece(number, joints, tool, planned.X_MT, path_limits, None, coordination, first, tuple(gentler))
+    return _path_segment(
+        number, joints, tool, planned.X_MT, path_limits, None, coordination, first, tuple(gentler)
+    )
 
 
 def _round(number: int, before: PlannedMove, behind: PlannedMove, blend: CartesianBlend) -> PathSegment:
     X_MT = before.planned.X_MT
     least = lesser_limits(before.planned.limits.tool, behind.planned.limits.tool)
     path_limits = along_with(tool_path_limits(blend.tool, least), blend.coordination)
-    return _piece(number, blend.joints, blend.tool, X_MT, path_limits, blend, blend.coordination, 0.0, ())
+    return _path_segment(
+        number, blend.joints, blend.tool, X_MT, path_limits, blend, blend.coordination, 0.0, ()
+    )

@@ -7,7 +7,7 @@ from ropsim.motion import time_at
 from ropsim.planning.trajectory.trajectory_kernel import (
     DURATION,
     END,
-    FIRST_PIECE,
+    FIRST_PATH_SEGMENT,
     OVERLAP,
     SEGMENT,
     SEGMENTS,
@@ -42,7 +42,7 @@ def lay_horizons(moves: Array1, counts: Array1, look_ahead: int, bounds: Array2)
         bounds[last, HORIZON] = last_known
 
 
-_SEGMENTS, _PIECES, _LEAVE, _ENTER = range(4)
+_SEGMENTS, _PATH_SEGMENTS, _LEAVE, _ENTER = range(4)
 """Columns of the request."""
 
 
@@ -64,7 +64,7 @@ def lay_sections(segments: Array2, ends: Array1, requested: Array2, sections: Ar
     segment = path_segment = 0
     for number in range(sections.shape[0]):
         section, result = sections[number], sections[number, OVERLAP:]
-        section[SEGMENT], section[SEGMENTS], section[FIRST_PIECE] = (
+        section[SEGMENT], section[SEGMENTS], section[FIRST_PATH_SEGMENT] = (
             segment,
             requested[number, _SEGMENTS],
             path_segment,
@@ -72,13 +72,15 @@ def lay_sections(segments: Array2, ends: Array1, requested: Array2, sections: Ar
         segment, first, path_segment = (
             segment + int(section[SEGMENTS]),
             path_segment,
-            path_segment + int(requested[number, _PIECES]),
+            path_segment + int(requested[number, _PATH_SEGMENTS]),
         )
         section[DURATION], both, end = ends[path_segment - 1], 0.0, 0.0
         if number:
             before, over, end = sections[number - 1], requested[number - 1], sections[number - 1, END]
             if not isnan(over[_LEAVE]):
-                left = _time(segments, ends[:first], before, int(over[_PIECES]) - 1, over[_LEAVE], result)
+                left = _time(
+                    segments, ends[:first], before, int(over[_PATH_SEGMENTS]) - 1, over[_LEAVE], result
+                )
                 entered = _time(segments, ends[:path_segment], section, 0, over[_ENTER], result)
                 both = min(before[DURATION] - left, entered)
         section[START], section[OVERLAP] = end - both, both
@@ -86,19 +88,17 @@ def lay_sections(segments: Array2, ends: Array1, requested: Array2, sections: Ar
         times[number, 0], times[number, 1], times[number, 2] = section[START], both, section[END]
 
 
-def _time(
-    segments: Array, ends: Array, section: Array, path_segment: int, place: float, result: Array
-) -> float:
+def _time(segments: Array, ends: Array, section: Array, path_segment: int, s: float, result: Array) -> float:
     """Return the time at which a section is at a place of one of its path segments [s]; see `time_at`."""
     own = segments[:, int(section[SEGMENT]) : int(section[SEGMENT] + section[SEGMENTS])]
-    time_at(own, ends[int(section[FIRST_PIECE]) :], path_segment, place, result)
+    time_at(own, ends[int(section[FIRST_PATH_SEGMENT]) :], path_segment, s, result)
     return float(result[0])
 
 
 @kernel
 def ticks_come(
     sections: Array2,
-    piece_ends: Array1,
+    path_segment_ends: Array1,
     move_ends: Array1,
     phi: Array1,
     slack: float,
@@ -110,7 +110,7 @@ def ticks_come(
 
     Args:
         sections: see `Course.table`, shape (r, 7).
-        piece_ends: see `Course.path_segment_ends`, shape (p,).
+        path_segment_ends: see `Course.path_segment_ends`, shape (p,).
         move_ends: nominal times at which moves end [s], shape (m,).
         phi: nominal times at the control ticks 1, 2, … [s], shape (ticks,).
         slack: by which nominal times may be off [s].
@@ -123,13 +123,13 @@ def ticks_come(
     for r in range(count):
         start, together = sections[r, START], sections[r, OVERLAP]
         overlaps[r, 0], overlaps[r, 1] = _come(phi, start + slack), _come(phi, start + together + slack)
-        begin, end, beyond = start + together, sections[r, END], piece_ends.shape[0]
+        begin, end, beyond = start + together, sections[r, END], path_segment_ends.shape[0]
         if r + 1 < count:
-            end, beyond = end - sections[r + 1, OVERLAP], int(sections[r + 1, FIRST_PIECE])
-        first, tick = int(sections[r, FIRST_PIECE]), _come(phi, min(max(start, begin), end) + slack)
+            end, beyond = end - sections[r + 1, OVERLAP], int(sections[r + 1, FIRST_PATH_SEGMENT])
+        first, tick = int(sections[r, FIRST_PATH_SEGMENT]), _come(phi, min(max(start, begin), end) + slack)
         for p in range(first, beyond):
             path_segments[p, 0] = tick
-            time = end if p + 1 == beyond else min(max(start + piece_ends[p], begin), end)
+            time = end if p + 1 == beyond else min(max(start + path_segment_ends[p], begin), end)
             tick = _come(phi, time + slack)
             path_segments[p, 1] = tick
         if r + 1 == count:

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from ropsim.motion import COEFFICIENTS, JointPoints, LawRows, Ways
+from ropsim.motion import COEFFICIENTS, JointPoints, LawRows, PathMotion
 from ropsim.planning.trajectory.timing import TimedSection, Timing
 from ropsim.planning.trajectory.trajectory_kernel import (
-    FIRST_PIECE,
-    PIECE,
-    PLACE,
+    FIRST_PATH_SEGMENT,
+    PARAMETER,
+    PATH_SEGMENT,
     TrajectoryNumbers,
     TrajectoryWork,
     add_in_time,
@@ -27,26 +27,28 @@ class Trajectory:
 
     Attributes:
         timing: the runs.
-        corners: joint coordinates where one run ends and the next one has begun [rad | m], shape (r - 1, n).
+        junctions: joint coordinates where one section ends and the next one has begun [rad | m], (r - 1, n).
         table: the sections as numbers; None if one has a path that compiled loops do not support.
     """
 
     timing: Timing
-    corners: Array
+    junctions: Array
     table: TrajectoryTable | None
 
     @classmethod
     def on(cls, timing: Timing) -> "Trajectory":
         """Return the motion on a timing."""
         table = trajectory_table(timing)
-        corners = (
-            _corners(timing, table) if table else frozen([_end(section) for section in timing.sections[:-1]])
+        junctions = (
+            _junctions(timing, table)
+            if table
+            else frozen([_end(section) for section in timing.sections[:-1]])
         )
-        return cls(timing, corners, table)
+        return cls(timing, junctions, table)
 
     def timed(self, timing: Timing) -> "Trajectory":
         """Return the motion on a timing that has the same path segments and other times."""
-        return Trajectory(timing, self.corners, self.table.timed(timing) if self.table else None)
+        return Trajectory(timing, self.junctions, self.table.timed(timing) if self.table else None)
 
     @property
     def duration(self) -> float:
@@ -66,16 +68,16 @@ class Trajectory:
             )
             requested, n = np.ascontiguousarray(phi, dtype=np.float64), table.rows.shape[1]
             total = np.empty((3, len(phi), n))
-            evaluate_trajectory(numbers, self.corners, requested, TrajectoryWork.of(n), total)
+            evaluate_trajectory(numbers, self.junctions, requested, TrajectoryWork.of(n), total)
             return JointPoints(total[0], total[1], total[2])
-        corners = self.corners if len(self.corners) else _end(sections[0])[None]
-        total, before = np.empty((3, len(phi), corners.shape[1])), 0
+        junctions = self.junctions if len(self.junctions) else _end(sections[0])[None]
+        total, before = np.empty((3, len(phi), junctions.shape[1])), 0
         for number, section in enumerate(sections):
             first = int(np.searchsorted(phi, section.start)) if number else 0
             until = int(np.searchsorted(phi, section.end)) if number + 1 < len(sections) else len(phi)
             if until > first:
-                corner = corners[max(number - 1, 0)]
-                _walk(section, phi[first:until] - section.start, first, before, corner, total)
+                junction = junctions[max(number - 1, 0)]
+                _evaluate(section, phi[first:until] - section.start, first, before, junction, total)
             before = until
         return JointPoints(*total)
 
@@ -88,20 +90,20 @@ class Trajectory:
         """
         path_segments = self.timing.sections[number].path_segments
         n = self.table.rows.shape[1] if self.table else len(_end(self.timing.sections[number]))
-        out = np.empty((3, len(rows.places), n))
+        out = np.empty((3, len(rows.parameters), n))
         if table := self.table:
-            law, room = np.empty((4, len(rows.places))), np.empty((COEFFICIENTS, out.shape[2]))
-            law[0], law[1], law[2], law[3] = rows.path_segments, rows.places, 1.0, 0.0
-            first = int(table.sections[number, FIRST_PIECE])
-            points_on(first, table.path_segments, table.rows, table.slopes, law, room, out)
+            law, coefficients = np.empty((4, len(rows.parameters))), np.empty((COEFFICIENTS, out.shape[2]))
+            law[0], law[1], law[2], law[3] = rows.path_segments, rows.parameters, 1.0, 0.0
+            first = int(table.sections[number, FIRST_PATH_SEGMENT])
+            points_on(first, table.path_segments, table.rows, table.slopes, law, coefficients, out)
             return JointPoints(out[0], out[1], out[2])
         for path_segment in np.unique(rows.path_segments).tolist():
             here = np.flatnonzero(rows.path_segments == path_segment)
-            points = path_segments[path_segment].joints.joints(rows.places[here])
+            points = path_segments[path_segment].joints.joints(rows.parameters[here])
             out[:, here] = points.q, points.d1, points.d2
         return JointPoints(out[0], out[1], out[2])
 
-    def ways(self, phi: Array) -> Ways:
+    def path_motion(self, phi: Array) -> PathMotion:
         """Return the motion along paths of the tool; undefined where sections overlap.
 
         Args:
@@ -118,23 +120,23 @@ class Trajectory:
             rows = section.law.at(phi[first:until] - section.start)
             evaluated[:, first:until, 0] = rows.speeds, rows.accelerations
             most[:, first:until, 0] = _most(section, rows)
-        return Ways(*evaluated, *most)
+        return PathMotion(*evaluated, *most)
 
 
-def _corners(timing: Timing, table: TrajectoryTable) -> Array:
+def _junctions(timing: Timing, table: TrajectoryTable) -> Array:
     """Return the joint coordinates at the ends of all runs but the last [rad | m], shape (r - 1, n)."""
     sections = timing.sections[:-1]
     law, out = np.zeros((4, len(sections))), np.empty((3, len(sections), table.rows.shape[1]))
-    law[PIECE], law[PLACE] = (
-        table.sections[1:, FIRST_PIECE] - 1.0,
+    law[PATH_SEGMENT], law[PARAMETER] = (
+        table.sections[1:, FIRST_PATH_SEGMENT] - 1.0,
         [section.path_segments[-1].joints.length for section in sections],
     )
     points_on(
         0, table.path_segments, table.rows, table.slopes, law, np.empty((COEFFICIENTS, out.shape[2])), out
     )
     out.flags.writeable = False
-    corners: Array = out[0]
-    return corners
+    junctions: Array = out[0]
+    return junctions
 
 
 def _end(section: TimedSection) -> Array:
@@ -143,7 +145,9 @@ def _end(section: TimedSection) -> Array:
     return np.ascontiguousarray(path.joints(np.array([path.length])).q[0])
 
 
-def _walk(section: TimedSection, times: Array, row: int, shared: int, corner: Array, total: Array) -> None:
+def _evaluate(
+    section: TimedSection, times: Array, row: int, shared: int, junction: Array, total: Array
+) -> None:
     """Write coordinates and derivatives by time at times since the start of a run, shape (k,).
 
     Args:
@@ -151,7 +155,7 @@ def _walk(section: TimedSection, times: Array, row: int, shared: int, corner: Ar
         times: [s], rising, shape (k,).
         row: of the motion, for the first of them.
         shared: row up to which the run before still ends.
-        corner: joint coordinates at which that ends, shape (n,).
+        junction: joint coordinates at which that ends, shape (n,).
         total: the motion, shape (3, m, n).
     """
     rows = section.law.at(times)
@@ -164,14 +168,14 @@ def _walk(section: TimedSection, times: Array, row: int, shared: int, corner: Ar
     ):
         if end > begin:
             here = slice(begin, end)
-            points = path_segment.joints.joints(rows.places[here])
+            points = path_segment.joints.joints(rows.parameters[here])
             q, d1, d2 = map(np.ascontiguousarray, (points.q, points.d1, points.d2))
             v, a = rows.speeds[here], rows.accelerations[here]
-            add_in_time(q, d1, d2, v, a, row + begin, shared, corner, total)
+            add_in_time(q, d1, d2, v, a, row + begin, shared, junction, total)
 
 
 def _most(section: TimedSection, rows: LawRows) -> Array:
     """Return the limits of acceleration and jerk on the path of a run, shape (2, k)."""
-    places = section.part.borders[rows.path_segments] + rows.places
-    here = np.searchsorted(section.part.path_limits.ends[:-1], places, "right")
+    parameters = section.part.borders[rows.path_segments] + rows.parameters
+    here = np.searchsorted(section.part.path_limits.ends[:-1], parameters, "right")
     return section.part.path_limits.bounds[here, 1:].T

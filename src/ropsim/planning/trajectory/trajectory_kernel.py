@@ -16,11 +16,11 @@ from ropsim.motion import (
 )
 from ropsim.spatial import Array
 
-START, END, DURATION, SEGMENT, SEGMENTS, FIRST_PIECE, OVERLAP = range(7)
+START, END, DURATION, SEGMENT, SEGMENTS, FIRST_PATH_SEGMENT, OVERLAP = range(7)
 """Columns of runs."""
 KIND, BEGIN, LENGTH, FIRST_ROW, ROWS, FIRST_SLOPE = range(6)
 """Columns of path segments."""
-PIECE, PLACE, SPEED, ACCELERATION, TIME = range(5)
+PATH_SEGMENT, PARAMETER, SPEED, ACCELERATION, TIME = range(5)
 """Rows of what time laws tell."""
 AT_ONCE = 512
 """Times that are looked at together, so that what is known of them stays near the processor."""
@@ -48,7 +48,7 @@ class TrajectoryWork(NamedTuple):
     """Work buffers of `evaluate_trajectory`: shapes (5, AT_ONCE), (COEFFICIENTS, n) and (3, AT_ONCE, n)."""
 
     law: Array2
-    room: Array2
+    coefficients: Array2
     held: Array3
 
     @classmethod
@@ -59,19 +59,19 @@ class TrajectoryWork(NamedTuple):
 
 @kernel
 def evaluate_trajectory(
-    table: TrajectoryNumbers, corners: Array2, phi: Array1, work: TrajectoryWork, total: Array3
+    table: TrajectoryNumbers, junctions: Array2, phi: Array1, work: TrajectoryWork, total: Array3
 ) -> None:
     """Write coordinates and derivatives by time of a whole trajectory.
 
     Args:
         table: the trajectory.
-        corners: joint coordinates where one run ends and the next one has begun, shape (r - 1 or more, n).
+        junctions: joint coordinates where one run ends and the next one has begun, shape (r - 1 or more, n).
         phi: nominal times, rising [s], shape (k,).
         work: buffers.
         total: the motion, shape (3, k, n).
     """
     sections, segments, path_segments, rows, slopes = table
-    law, room, held = work
+    law, coefficients, held = work
     last, before = sections.shape[0] - 1, 0
     for number in range(last + 1):
         section = sections[number]
@@ -88,10 +88,20 @@ def evaluate_trajectory(
                 _copy(total.shape[2], total[0, begin + k], held[0, k])
                 _copy(total.shape[2], total[1, begin + k], held[1, k])
                 _copy(total.shape[2], total[2, begin + k], held[2, k])
-            _walk(int(section[FIRST_PIECE]), path_segments, rows, slopes, law, count, room, begin, total)
+            _evaluate(
+                int(section[FIRST_PATH_SEGMENT]),
+                path_segments,
+                rows,
+                slopes,
+                law,
+                count,
+                coefficients,
+                begin,
+                total,
+            )
             for k in range(shared):
                 q, qd, qdd = total[0, begin + k], total[1, begin + k], total[2, begin + k]
-                _add(total.shape[2], held[0, k], held[1, k], held[2, k], corners[number - 1], q, qd, qdd)
+                _add(total.shape[2], held[0, k], held[1, k], held[2, k], junctions[number - 1], q, qd, qdd)
         before = until
 
 
@@ -111,10 +121,10 @@ def points_on(
         work: to work in, shape (COEFFICIENTS, n).
         points: where all goes, shape (3, k, n).
     """
-    _walk(first, path_segments, rows, slopes, law, law.shape[1], work, 0, points)
+    _evaluate(first, path_segments, rows, slopes, law, law.shape[1], work, 0, points)
 
 
-def _walk(
+def _evaluate(
     first: int,
     path_segments: Array,
     rows: Array,
@@ -129,11 +139,11 @@ def _walk(
     begin = 0
     while begin < count:
         end = begin + 1
-        while end < count and law[PIECE, end] == law[PIECE, begin]:
+        while end < count and law[PATH_SEGMENT, end] == law[PATH_SEGMENT, begin]:
             end += 1
-        path_segment = path_segments[first + int(law[PIECE, begin])]
+        path_segment = path_segments[first + int(law[PATH_SEGMENT, begin])]
         for k in range(begin, end):
-            law[PLACE, k] += path_segment[BEGIN]
+            law[PARAMETER, k] += path_segment[BEGIN]
         _in_time(path_segment, rows, slopes, law, begin, end, work, row, total)
         begin = end
 
@@ -171,11 +181,11 @@ def _copy(count: int, row: Array, out: Array) -> None:
 
 @columns
 def _add(
-    count: int, held: Array, d1: Array, d2: Array, corner: Array, q: Array, qd: Array, qdd: Array
+    count: int, held: Array, d1: Array, d2: Array, junction: Array, q: Array, qd: Array, qdd: Array
 ) -> None:
     """Add where another path is to where this one is, as far as that is from the corner between them."""
     for j in range(count):
-        q[j] = q[j] + (held[j] - corner[j])
+        q[j] = q[j] + (held[j] - junction[j])
         qd[j] = qd[j] + d1[j]
         qdd[j] = qdd[j] + d2[j]
 
@@ -201,7 +211,7 @@ def add_in_time(
     accelerations: Array1,
     first: int,
     shared: int,
-    corner: Array1,
+    junction: Array1,
     total: Array3,
 ) -> None:
     """Write coordinates and derivatives by time: q' = dq/ds·v and q'' = d²q/ds²·v² + dq/ds·a.
@@ -215,15 +225,15 @@ def add_in_time(
         first: row of the motion at which the first of them is.
         shared: row of the motion up to which another path still ends: there both are added, as far as they
             are from the corner between them.
-        corner: joint coordinates there [rad | m], shape (n,).
+        junction: joint coordinates there [rad | m], shape (n,).
         total: the motion; rows from `first` on are written, shape (3, m, n).
     """
     for k in range(q.shape[0]):
         row, v, a = first + k, speeds[k], accelerations[k]
         for j in range(q.shape[1]):
-            place, slope, bend = q[k, j], d1[k, j] * v, d2[k, j] * (v * v) + d1[k, j] * a
+            position, slope, bend = q[k, j], d1[k, j] * v, d2[k, j] * (v * v) + d1[k, j] * a
             if row < shared:
-                place += total[0, row, j] - corner[j]
+                position += total[0, row, j] - junction[j]
                 slope += total[1, row, j]
                 bend += total[2, row, j]
-            total[0, row, j], total[1, row, j], total[2, row, j] = place, slope, bend
+            total[0, row, j], total[1, row, j], total[2, row, j] = position, slope, bend

@@ -21,7 +21,7 @@ _COARSE = (16, 64, 256)
 _MOST = 4096
 """Steps of four parts of a path at most."""
 _NEWTON = 20  # steps at most; from a near start each doubles the digits
-_SAME_PLACE = 1e-10  # [m]
+_SAME_POSITION = 1e-10  # [m]
 SAME_JOINTS = 1e-6
 """A path that passes a point with joints further from the requested ones has another shoulder or elbow
 posture [rad]."""
@@ -29,7 +29,7 @@ _JUMP = np.pi / 4.0  # [rad] from one step to the next; that is another branch
 
 
 @record
-class WristLead:
+class WristFollowing:
     """How far a way is led.
 
     Attributes:
@@ -41,56 +41,58 @@ class WristLead:
     share: float
 
 
-def wrist_lead(way: WristMotion, parts: int = 1) -> WristLead:
+def follow_prescribed_wrist(motion: WristMotion, parts: int = 1) -> WristFollowing:
     """Return the joint coordinates along a way, as dense as their smooth path needs.
 
     The first three joints are found by Newton's method, from place to place along the way and then between
     two places each.
 
     Args:
-        way: prescribed motion.
+        motion: prescribed motion.
         parts: of the way, between whose ends it is smoother than where they meet.
     """
-    arm = _Arm(way.robot, way.X_MT)
+    arm = _Arm(motion.robot, motion.X_MT)
     fours = -(-parts // 4)
-    lead = WristLead(way.q_start[np.newaxis], 0.0)
+    following = WristFollowing(motion.q_start[np.newaxis], 0.0)
     for steps in _COARSE:
-        lead = _walked(arm, way, steps * fours)
-        if lead.share == 1.0:
+        following = _evaluated(arm, motion, steps * fours)
+        if following.share == 1.0:
             break
     else:
-        return lead
-    return _densely(arm, way, lead.q, (0.0, way.path.length), _MOST * fours)
+        return following
+    return _densely(arm, motion, following.q, (0.0, motion.path.length), _MOST * fours)
 
 
-def wrist_joints(way: WristMotion, q: Array) -> JointPath:
+def wrist_joints(motion: WristMotion, q: Array) -> JointPath:
     """Return the smooth path through joint coordinates; where they are too far apart, more are found.
 
     Args:
-        way: prescribed motion.
+        motion: prescribed motion.
         q: at equidistant places of all of the way [rad | m], an odd number of them, shape (k, n).
     """
-    length, arm = way.path.length, _Arm(way.robot, way.X_MT)
+    length, arm = motion.path.length, _Arm(motion.robot, motion.X_MT)
     whole, step = SampledPath(length, q), length / (len(q) - 1)
-    places = np.arange(1.0, len(q) - 1.0, 2.0) * step
-    error = np.abs(SampledPath(length, q[::2]).joints(places).q - q[1:-1:2]).max(axis=1)
+    s = np.arange(1.0, len(q) - 1.0, 2.0) * step
+    error = np.abs(SampledPath(length, q[::2]).joints(s).q - q[1:-1:2]).max(axis=1)
     begins, parts = [], []
     for first, last in parts_by_error(error > SMOOTH):
         begin, end = first * step, last * step
-        lead = _densely(arm, way, q[first : last + 1], (begin, end), _MOST)
-        part = SampledPath(end - begin, lead.q)
-        if lead.share == 1.0 and joins(whole, begin, part, step, SMOOTH):
+        following = _densely(arm, motion, q[first : last + 1], (begin, end), _MOST)
+        part = SampledPath(end - begin, following.q)
+        if following.share == 1.0 and joins(whole, begin, part, step, SMOOTH):
             begins.append(begin)
             parts.append(part)
     return Refined(whole, np.array(begins), tuple(parts)) if parts else whole
 
 
-def _densely(arm: "_Arm", way: WristMotion, q: Array, ends: tuple[float, float], most: int) -> WristLead:
+def _densely(
+    arm: "_Arm", motion: WristMotion, q: Array, ends: tuple[float, float], most: int
+) -> WristFollowing:
     """Return the joints between two places of a path, as dense as their smooth path needs.
 
     Args:
         arm: that leads.
-        way: prescribed motion.
+        motion: prescribed motion.
         q: at equidistant places between the two, shape (k, n).
         ends: the two places, in the unit of the way.
         most: steps, about.
@@ -98,31 +100,31 @@ def _densely(arm: "_Arm", way: WristMotion, q: Array, ends: tuple[float, float],
     begin, end = ends
     while True:
         shares = (np.arange(len(q) - 1) + 0.5) / (len(q) - 1)
-        places = begin + shares * (end - begin)
-        guess = way.given(places)
+        s = begin + shares * (end - begin)
+        guess = motion.given(s)
         guess[:, arm.first] = 0.5 * (q[:-1] + q[1:])[:, arm.first]
-        between, found = arm.solved(guess, way.positions(places))
+        between, found = arm.solved(guess, motion.positions(s))
         if not found.all():
-            return WristLead(q, float(shares[int(np.argmin(found))]))
+            return WristFollowing(q, float(shares[int(np.argmin(found))]))
         is_smooth = float(np.abs(SampledPath(1.0, q).joints(shares).q - between).max()) <= SMOOTH
         both = np.empty((2 * len(q) - 1, q.shape[1]))
         both[::2], both[1::2], q = q, between, both
         if is_smooth or len(q) > most:
-            return WristLead(q, 1.0)
+            return WristFollowing(q, 1.0)
 
 
-def _walked(arm: "_Arm", way: WristMotion, steps: int) -> WristLead:
+def _evaluated(arm: "_Arm", motion: WristMotion, steps: int) -> WristFollowing:
     """Return the joints at `steps` steps, each solved from the ones before."""
-    places = np.linspace(0.0, way.path.length, steps + 1)
-    goals, q = way.positions(places), way.given(places)
-    q[0] = way.q_start
+    s = np.linspace(0.0, motion.path.length, steps + 1)
+    goals, q = motion.positions(s), motion.given(s)
+    q[0] = motion.q_start
     for k in range(1, steps + 1):
         q[k, arm.first] = (2.0 * q[k - 1] - q[k - 2] if k > 1 else q[0])[arm.first]
         there, found = arm.solved(q[k : k + 1], goals[k : k + 1])
         if not found[0] or float(np.abs(there[0] - q[k - 1])[arm.first].max()) > _JUMP:
-            return WristLead(q[:k], (k - 1) / steps)
+            return WristFollowing(q[:k], (k - 1) / steps)
         q[k] = there[0]
-    return WristLead(q, 1.0)
+    return WristFollowing(q, 1.0)
 
 
 @record
@@ -157,21 +159,21 @@ class _Arm:
         offset, smallest = np.full((len(own), 3), np.inf), np.inf
         for _ in range(_NEWTON):
             interface = forward_batch(held, own)
-            places = interface[:, :3, :3] @ self.X_MT.position + interface[:, :3, 3]
-            offset = goals - places
+            reached = interface[:, :3, :3] @ self.X_MT.position + interface[:, :3, 3]
+            offset = goals - reached
             size = float(np.abs(offset).max())
-            if not size < 0.5 * smallest and smallest <= _SAME_PLACE:  # down to rounding
+            if not size < 0.5 * smallest and smallest <= _SAME_POSITION:  # down to rounding
                 break
             smallest = min(size, smallest)
             frames = frames_of_steps(held, own)[:, :3]
-            J = cross(frames[..., :3, 2], places[:, np.newaxis] - frames[..., :3, 3])  # rows: joints
+            J = cross(frames[..., :3, 2], reached[:, np.newaxis] - frames[..., :3, 3])  # rows: joints
             try:
                 own[:, :3] += np.linalg.solve(np.swapaxes(J, 1, 2), offset[..., np.newaxis])[..., 0]
             except np.linalg.LinAlgError:
                 break
         q = guess.copy()
         q[:, self.first] = own[:, :3]
-        return q, (np.abs(offset) <= _SAME_PLACE).all(axis=1)  # false for NaN
+        return q, (np.abs(offset) <= _SAME_POSITION).all(axis=1)  # false for NaN
 
     @property
     def _held(self) -> RobotModel:

@@ -18,14 +18,14 @@ class WristPath:
 
     Attributes:
         robot: the arm with its external axes.
-        way: a path of the tool in its reference frame, of which the positions count.
+        path: a path of the tool in its reference frame, of which the positions count.
         joints: that take the TCP along it, over the same length.
         X_MT: the tool.
         frame: that external axes move and in which the way is given; None for the base frame.
     """
 
     robot: RobotModel
-    way: ToolPath
+    path: ToolPath
     joints: JointPath
     X_MT: Pose
     frame: MovingFrame | None = None
@@ -33,18 +33,18 @@ class WristPath:
     @property
     def length(self) -> float:
         """Return the length in the unit of the way."""
-        return self.way.length
+        return self.path.length
 
     def own_grid(self) -> Array:
         """Return the grid of the way, at whose points the joints have theirs, shape (m,)."""
-        return grid(self.way)
+        return grid(self.path)
 
     def tool(self, s: Array) -> ToolPoints:
         """Return the tool and its derivatives at places s, shape (k,).
 
         How the tool turns is that of joints that go on from each place with its first two derivatives.
         """
-        at, way = self.joints.joints(s), self.way.tool(s)
+        at, moved_tool = self.joints.joints(s), self.path.tool(s)
         rates = np.maximum(np.abs(at.d1).max(axis=1), np.sqrt(np.abs(at.d2).max(axis=1)))
         q, d1, d2 = (rows[:, np.newaxis] for rows in (at.q, at.d1, at.d2))
 
@@ -54,17 +54,17 @@ class WristPath:
 
         turned = pose_derivatives(around, _STEP / np.maximum(rates, _STEP / self.length))
         matrices = turned.matrices.copy()
-        matrices[:, :3, 3] = way.matrices[:, :3, 3]
-        both = ((way.d1, turned.d1), (way.d2, turned.d2))
+        matrices[:, :3, 3] = moved_tool.matrices[:, :3, 3]
+        both = ((moved_tool.d1, turned.d1), (moved_tool.d2, turned.d2))
         return ToolPoints(matrices, *(np.hstack((moved[:, :3], turns[:, 3:])) for moved, turns in both))
 
     def positions(self, s: Array) -> Array:
         """Return where the TCP is at places s, shape (k,) to (k, 3) [m]."""
-        return self.way.positions(s)
+        return self.path.positions(s)
 
     def distance(self, points: Array) -> Array:
         """Return how far points, shape (k, 3) [m], are from the way of the TCP, shape (k,) [m]."""
-        return self.way.distance(points)
+        return self.path.distance(points)
 
     def _matrices(self, Q: Array) -> Array:
         """Return the tool in the reference frame with the axes at Q (..., n), shape (..., 4, 4)."""

@@ -11,26 +11,26 @@ class WristPoints:
     """Start, points on the way and end of a path.
 
     Attributes:
-        places: on the path, rising from 0 to its length, shape (k,).
+        parameters: on the path, rising from 0 to its length, shape (k,).
         X_BT: the tool there, shape (k, 4, 4).
         q: coordinates of all axes at the start, the external ones as they go along [rad | m], shape (k, n).
     """
 
-    places: Array
+    parameters: Array
     X_BT: Array
     q: Array
 
     @property
     def end(self) -> int:
         """Return the number of the last one, from 0 for the start."""
-        return len(self.places) - 1
+        return len(self.parameters) - 1
 
     def name(self, number: int) -> str:
         """Return in words which point one is."""
         if number == self.end:
             return "its end"
         x, y, z = (1e3 * self.X_BT[number, :3, 3]).tolist()
-        share = self.places[number] / self.places[-1]
+        share = self.parameters[number] / self.parameters[-1]
         return f"its point at {share:.0%} of the way, ({x:.1f}, {y:.1f}, {z:.1f}) mm in the base frame,"
 
 
@@ -42,8 +42,8 @@ def points_of(path: ToolPath, q_start: Array, coordination: Coordination | None)
         q_start: coordinates of all axes at its start [rad | m], shape (n,).
         coordination: external axes that go along; None where they stand.
     """
-    places = knots_of(path)
-    q, X = standing(q_start, coordination, places), path.tool(places).matrices
+    parameters = knots_of(path)
+    q, X = standing(q_start, coordination, parameters), path.tool(parameters).matrices
     if coordination and coordination.frame:
         X = coordination.frame.matrices(q) @ X
-    return WristPoints(places, X, q)
+    return WristPoints(parameters, X, q)

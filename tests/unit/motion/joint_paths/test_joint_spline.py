@@ -24,7 +24,7 @@ def drawn(seed: int) -> tuple[Array, Array]:
 
 def inside(spline: JointSpline, share: Array) -> Array:
     """Return places at shares of each part, shape (k - 1, m)."""
-    return spline.places[:-1, None] + np.diff(spline.places)[:, None] * share
+    return spline.knots[:-1, None] + np.diff(spline.knots)[:, None] * share
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -58,7 +58,7 @@ def test_it_is_twice_continuously_differentiable(seed: int) -> None:
 @pytest.mark.parametrize("seed", SEEDS)
 def test_its_derivatives_are_those_of_its_values(seed: int) -> None:
     spline = monotone(*drawn(seed))
-    parts = np.diff(spline.places)
+    parts = np.diff(spline.knots)
     for part, places in zip(parts, inside(spline, np.array([0.2, 0.5, 0.7])), strict=True):
         h = 1e-4 * part
         before, here, behind = (spline.joints(places + step) for step in (-h, 0.0, h))

@@ -64,7 +64,7 @@ def test_its_time_law_walks_it_at_speed_one() -> None:
     t = np.linspace(0.0, MOVE.length, 7)
     rows = MOVE.own_law.at(t)
     assert MOVE.own_law.duration == MOVE.length
-    assert rows.places.tolist() == t.tolist()
+    assert rows.parameters.tolist() == t.tolist()
     assert rows.speeds[:-1].tolist() == [1.0] * 6
     assert MOVE.own_law.times_of(0, t).tolist() == t.tolist()
 
@@ -95,14 +95,14 @@ def test_moves_with_the_same_content_are_equal() -> None:
 
 @pytest.mark.parametrize("value", [math.nan, math.inf])
 def test_a_coordinate_that_is_no_number_is_refused(value: float) -> None:
-    with pytest.raises(ProfileError, match="joint 1 has way"):
+    with pytest.raises(ProfileError, match="joint 1 has distance"):
         SynchronisedJoints(START, np.array([0.0, value, 0.0]), LIMITS)
 
 
 @pytest.mark.parametrize("value", [0.0, -1.0, math.nan, math.inf])
 def test_a_limit_that_no_joint_can_have_is_refused(value: float) -> None:
     wrong = JointMotionLimits(np.array([1.0, value, 1.0]), LIMITS.acceleration, LIMITS.jerk)
-    with pytest.raises(ProfileError, match="joint 1 has way"):
+    with pytest.raises(ProfileError, match="joint 1 has distance"):
         SynchronisedJoints(START, END, wrong)
 
 

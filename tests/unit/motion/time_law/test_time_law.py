@@ -62,7 +62,7 @@ def test_one_piece_alone_has_the_s_curve(stage: Interval) -> None:
     assert law.duration == pytest.approx(profile.duration, rel=ROUNDING)
     t = np.linspace(0.0, profile.duration, 101)
     rows, (way, speed, acceleration) = law.at(t), evaluate(profile, t)
-    assert rows.places == pytest.approx(way, rel=ROUNDING, abs=ROUNDING * stage.length)
+    assert rows.parameters == pytest.approx(way, rel=ROUNDING, abs=ROUNDING * stage.length)
     assert rows.speeds == pytest.approx(speed, rel=ROUNDING, abs=ROUNDING * profile.peak_speed)
     peak = profile.peak_acceleration
     assert rows.accelerations == pytest.approx(acceleration, rel=ROUNDING, abs=ROUNDING * peak)
@@ -150,7 +150,7 @@ def test_start_and_end_are_exact_and_the_motion_rests_outside() -> None:
     law = plan_time_law(WAY)
     rows = law.at([-1.0, 0.0, law.duration, law.duration + 1.0, math.inf])
     assert rows.path_segments.tolist() == [0, 0, 5, 5, 5]
-    assert rows.places.tolist() == [0.0, 0.0, 0.1, 0.1, 0.1]
+    assert rows.parameters.tolist() == [0.0, 0.0, 0.1, 0.1, 0.1]
     assert rows.speeds.tolist() == rows.accelerations.tolist() == [0.0] * 5
 
 
@@ -158,14 +158,14 @@ def test_the_next_piece_has_begun_where_one_ends() -> None:
     law = plan_time_law(WAY)
     rows = law.at(law.ends[:-1])
     assert rows.path_segments.tolist() == [1, 2, 3, 4, 5]
-    assert rows.places.tolist() == rows.accelerations.tolist() == [0.0] * 5
-    assert law.at(np.nextafter(law.ends, 0.0)).places == pytest.approx([one.length for one in WAY])
+    assert rows.parameters.tolist() == rows.accelerations.tolist() == [0.0] * 5
+    assert law.at(np.nextafter(law.ends, 0.0)).parameters == pytest.approx([one.length for one in WAY])
 
 
 def test_no_time_is_no_row_and_a_time_that_is_no_number_has_no_place() -> None:
     law = plan_time_law(WAY)
-    assert law.at([]).places.shape == (0,)
-    assert np.isnan(law.at([math.nan]).places).all()
+    assert law.at([]).parameters.shape == (0,)
+    assert np.isnan(law.at([math.nan]).parameters).all()
     assert np.isnan(law.times_of(0, [math.nan])).all()
 
 
@@ -177,7 +177,7 @@ def test_segments_follow_each_other_in_time_and_in_order_of_the_pieces() -> None
     assert set(law.path_segments.tolist()) == set(range(len(WAY)))
     rows = law.at(law.times)
     for found, stored in (
-        (rows.places, law.places),
+        (rows.parameters, law.parameters),
         (rows.speeds, law.speeds),
         (rows.accelerations, law.accelerations),
     ):
@@ -215,7 +215,7 @@ def test_times_in_any_order_give_the_rows_of_times_in_order() -> None:
     law = plan_time_law(WAY)
     t = np.linspace(0.0, law.duration, 300)
     order = np.random.default_rng(2).permutation(len(t))
-    assert law.at(t[order]).places.tolist() == law.at(t).places[order].tolist()
+    assert law.at(t[order]).parameters.tolist() == law.at(t).parameters[order].tolist()
 
 
 @pytest.mark.parametrize("piece", range(len(WAY)))
@@ -225,7 +225,7 @@ def test_times_of_places_are_those_at_which_the_motion_is_there(piece: int) -> N
     times = law.times_of(piece, places)
     rows = law.at(times)
     assert (rows.path_segments == piece).all()
-    assert rows.places == pytest.approx(places, rel=ROUNDING)
+    assert rows.parameters == pytest.approx(places, rel=ROUNDING)
     assert (np.diff(times) > 0.0).all()
 
 
@@ -243,7 +243,7 @@ def test_told_in_longer_parts_it_is_the_same_motion() -> None:
     lengths = [one.length for one in WAY]
     before = np.array([0.0, 0.0, lengths[1], lengths[1] + lengths[2], 0.0, lengths[4]])
     assert told.path_segments.tolist() == np.array([0, 1, 1, 1, 2, 2])[rows.path_segments].tolist()
-    np.testing.assert_allclose(told.places, rows.places + before[rows.path_segments], rtol=ROUNDING)
+    np.testing.assert_allclose(told.parameters, rows.parameters + before[rows.path_segments], rtol=ROUNDING)
     assert (told.speeds == rows.speeds).all()
     assert (told.accelerations == rows.accelerations).all()
     assert parts.ends.tolist() == law.ends[[0, 3, 5]].tolist()
@@ -261,7 +261,9 @@ def test_over_longer_pieces_places_are_counted_from_the_first_of_each(seed: int)
     ends = np.cumsum(rows[:, 0])
     begins = np.append(0.0, ends[:-1]) - np.repeat(np.append(0.0, ends)[firsts], many)
     assert longer.path_segments.tolist() == np.repeat(np.arange(5), many)[law.path_segments].tolist()
-    assert longer.places == pytest.approx(law.places + begins[law.path_segments], rel=ROUNDING, abs=ROUNDING)
+    assert longer.parameters == pytest.approx(
+        law.parameters + begins[law.path_segments], rel=ROUNDING, abs=ROUNDING
+    )
     assert longer.segments[7] == pytest.approx(law.segments[7] + begins[law.path_segments], rel=ROUNDING)
     assert longer.ends.tolist() == law.ends[np.cumsum(many) - 1].tolist()
     assert longer.segments[[1, 3, 4, 5, 6]].tolist() == law.segments[[1, 3, 4, 5, 6]].tolist()
@@ -323,7 +325,7 @@ def test_times_of_places_on_several_pieces_are_those_of_each_piece_alone() -> No
 
 @pytest.mark.parametrize("piece", [-1, len(WAY)])
 def test_there_are_no_places_on_a_piece_that_is_not_there(piece: int) -> None:
-    with pytest.raises(IndexError, match=f"piece {piece} of 6"):
+    with pytest.raises(IndexError, match=f"path segment {piece} of 6"):
         plan_time_law(WAY).times_of(piece, [0.0])
 
 
@@ -335,7 +337,7 @@ def test_a_bound_that_no_motion_can_have_is_refused_with_its_piece(
     good = Interval(1.0, 1.0, 1.0, 1.0)
     length, speed, acceleration, jerk = (value if number == place else 1.0 for number in range(4))
     bad = Interval(length, speed, acceleration, jerk)
-    with pytest.raises(ProfileError, match=f"piece 2 has .*{name} {value:g}"):
+    with pytest.raises(ProfileError, match=f"path segment 2 has .*{name} {value:g}"):
         plan_time_law([good, good, bad])
 
 
@@ -345,12 +347,12 @@ def test_a_bound_that_no_motion_can_have_is_refused_with_its_piece(
     + [Interval(1.0, 1.0, 1.0, 1.0, 1.0, horizon) for horizon in (0, -2)],
 )
 def test_a_ratio_or_horizon_that_says_nothing_is_refused(bad: Interval) -> None:
-    with pytest.raises(ProfileError, match="piece 1 has"):
+    with pytest.raises(ProfileError, match="path segment 1 has"):
         plan_time_law([Interval(1.0, 1.0, 1.0, 1.0), bad])
 
 
 def test_a_way_without_pieces_is_refused() -> None:
-    with pytest.raises(ProfileError, match="no pieces"):
+    with pytest.raises(ProfileError, match="no segments"):
         plan_time_law([])
 
 
@@ -361,7 +363,7 @@ def test_numbers_as_far_apart_as_allowed_give_a_finite_motion() -> None:
         law = plan_time_law([stage] * 3)
         assert np.isfinite(law.segments).all()
         assert 0.0 < law.duration < math.inf
-        assert law.at([law.duration]).places.tolist() == [length]
+        assert law.at([law.duration]).parameters.tolist() == [length]
     unit = Interval(1.0, 1.0, 1.0, 1.0)
     for way in (
         [Interval(1e51, 1.0, 1.0, 1.0)],
@@ -377,7 +379,7 @@ def test_ten_thousand_pieces_end_where_they_should() -> None:
     law = plan_time_law(stages)
     rows = law.at(np.nextafter(law.ends, 0.0))
     assert rows.path_segments.tolist() == list(range(10_000))
-    assert rows.places == pytest.approx(lengths, rel=1e-9)
+    assert rows.parameters == pytest.approx(lengths, rel=1e-9)
     assert law.speeds.max() <= 1.0 + ROUNDING
     assert sum(lengths) < law.duration < sum(map(_rest_to_rest, stages))
 
@@ -396,5 +398,5 @@ def test_compiled_or_not_the_motion_is_the_same(monkeypatch: pytest.MonkeyPatch)
         monkeypatch.setattr(module, name, plain)
     law = plan_time_law(WAY)
     np.testing.assert_allclose(law.segments, compiled.segments, rtol=POWERS, atol=POWERS)
-    np.testing.assert_allclose(law.at(t).places, rows.places, rtol=POWERS, atol=POWERS)
+    np.testing.assert_allclose(law.at(t).parameters, rows.parameters, rtol=POWERS, atol=POWERS)
     np.testing.assert_allclose(law.times_of(2, np.linspace(0.0, 1.0, 20)), times, rtol=POWERS)

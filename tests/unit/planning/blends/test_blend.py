@@ -13,7 +13,7 @@ from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
 from ropsim.spatial import Array, Pose
 from support.motion import CELL, CHAIN, PUMA, START, interface_pose, lin, ptp, shifted
 
-PLACE = 1e-9  # [m] zones are found to that on all paths
+PARAMETER = 1e-9  # [m] zones are found to that on all paths
 # of differences of samples at the end of a traced path; at 0.25 m/s the bend makes 1e-3 rad/s²
 SLOPE, BEND = 5e-6, 1.5e-2  # [rad/m], [rad/m²]
 HERE = interface_pose(START)
@@ -63,9 +63,9 @@ def test_the_path_leaves_and_enters_its_moves_at_the_distance_of_the_zone(kinds:
     one, other = (make(goal) for make, goal in zip(KINDS[kinds], (FIRST, SECOND), strict=True))
     before, behind = legs(one, other)
     found = achieved(one, other, 0.02)
-    assert found.zone == pytest.approx(0.02, abs=PLACE)
+    assert found.zone == pytest.approx(0.02, abs=PARAMETER)
     for leg, place in ((before, found.leave), (behind, found.enter)):
-        assert np.linalg.norm(place_of(leg, place) - FIRST.position) == pytest.approx(0.02, abs=PLACE)
+        assert np.linalg.norm(place_of(leg, place) - FIRST.position) == pytest.approx(0.02, abs=PARAMETER)
 
 
 def test_the_way_round_goes_on_from_its_neighbours_with_both_derivatives() -> None:
@@ -83,7 +83,7 @@ def test_a_corner_of_two_lines_is_one_of_the_tool_and_stays_within_its_zone() ->
     found = rounded(lin(FIRST), lin(SECOND), 0.02)
     assert found.tool is not None
     s = np.linspace(0.0, found.tool.length, 201)
-    assert np.linalg.norm(found.tool.positions(s) - FIRST.position, axis=1).max() <= 0.02 + PLACE
+    assert np.linalg.norm(found.tool.positions(s) - FIRST.position, axis=1).max() <= 0.02 + PARAMETER
     joints = forward_batch(PUMA, found.joints.joints(s).q)[:, :3, 3]
     assert np.abs(joints - found.tool.positions(s)).max() < 1e-8
 
@@ -111,11 +111,11 @@ def test_a_zone_takes_at_most_half_of_either_move(kinds: str) -> None:
     assert found.enter <= behind.joints.length / 2.0 * (1.0 + 1e-9)
     ends = (before, found.leave), (behind, found.enter)
     away = [np.linalg.norm(place_of(leg, place) - FIRST.position) for leg, place in ends]
-    assert found.zone == pytest.approx(max(away), abs=PLACE)
+    assert found.zone == pytest.approx(max(away), abs=PARAMETER)
     if isinstance(found, JointSpaceBlend):
-        assert found.shorter == pytest.approx(min(away), abs=PLACE)
+        assert found.shorter == pytest.approx(min(away), abs=PARAMETER)
     if kinds == "LIN to LIN":
-        assert away == pytest.approx([0.03, 0.03], abs=PLACE)  # half of the second line
+        assert away == pytest.approx([0.03, 0.03], abs=PARAMETER)  # half of the second line
     else:
         assert found.leave == pytest.approx(before.joints.length / 2.0)
         assert found.enter == pytest.approx(behind.joints.length / 2.0)
@@ -134,8 +134,8 @@ def test_a_tool_that_only_turns_on_one_side_of_two_lines_is_a_stop() -> None:
 
 
 def test_there_is_no_way_round_where_a_move_leads_nowhere() -> None:
-    assert between(lin(FIRST), lin(FIRST), 0.01) is Stop.NO_WAY
-    assert between(lin(HERE), lin(FIRST), 0.01) is Stop.NO_WAY
+    assert between(lin(FIRST), lin(FIRST), 0.01) is Stop.NO_PATH
+    assert between(lin(HERE), lin(FIRST), 0.01) is Stop.NO_PATH
 
 
 @pytest.mark.parametrize("zone", [1e-300, 1e-160, 1e-18, 1e-12, 0.9e-6])

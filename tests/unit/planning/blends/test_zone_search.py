@@ -13,11 +13,11 @@ from ropsim.motion import (
     SampledPath,
     SynchronisedJoints,
 )
-from ropsim.planning.blends.zone_search import way_of
+from ropsim.planning.blends.zone_search import tcp_path_of
 from ropsim.spatial import Array, Pose
 
 ROUNDING = 1e-10  # of the length of the path; zones are found to 1e-8 of them
-PLACE = 1e-9  # [m]
+PARAMETER = 1e-9  # [m]
 ROBOTS = ("puma560", "stanford", "scara", "panda", "cobra600", "irb4600_60_205", "kr210_r2700_2")
 
 
@@ -50,7 +50,7 @@ def test_a_path_that_loops_know_is_left_and_entered_as_any_other(name: str) -> N
     X_MT = Pose(np.array([0.02, -0.1, 0.15]), np.array([0.9, 0.1, 0.3, -0.2]))
     for far in (1e-3, 0.3, 3.0):
         for path in paths(rng, robot.n, far=far):
-            known, asked = (way_of(robot, each, X_MT, None) for each in (path, _Unknown(path)))
+            known, asked = (tcp_path_of(robot, each, X_MT, None) for each in (path, _Unknown(path)))
             for zone in (0.0, 1e-6, 3e-3, 0.05, 5.0):
                 for clip in (0.5 * path.length, 0.03 * path.length):
                     for one, other in (
@@ -58,7 +58,7 @@ def test_a_path_that_loops_know_is_left_and_entered_as_any_other(name: str) -> N
                         (known.enter(zone, clip), asked.enter(zone, clip)),
                     ):
                         assert one[0] == pytest.approx(other[0], abs=ROUNDING * path.length)
-                        assert one[1] == pytest.approx(other[1], abs=PLACE * 1e-3)
+                        assert one[1] == pytest.approx(other[1], abs=PARAMETER * 1e-3)
 
 
 def test_the_distance_that_is_told_is_that_of_the_tcp() -> None:
@@ -69,9 +69,9 @@ def test_the_distance_that_is_told_is_that_of_the_tcp() -> None:
             q = path.joints(np.array([s])).q
             return np.asarray((forward_batch(robot, q) @ X_MT.matrix())[0, :3, 3])
 
-        way = way_of(robot, path, X_MT, None)
+        way = tcp_path_of(robot, path, X_MT, None)
         for (place, told), end in ((way.leave(0.02, 0.0), path.length), (way.enter(0.02, path.length), 0.0)):
-            assert told == pytest.approx(0.02, abs=PLACE)
+            assert told == pytest.approx(0.02, abs=PARAMETER)
             assert np.linalg.norm(tcp(place) - tcp(end)) == pytest.approx(told, abs=1e-12)
 
 
@@ -81,6 +81,6 @@ def test_a_path_of_no_numbers_is_taken_as_far_as_it_may() -> None:
         JointLine(np.full(6, np.nan), np.zeros(6)),
         _Unknown(JointLine(np.full(6, np.nan), np.zeros(6))),
     ):
-        way = way_of(robot, path, Pose(), None)
+        way = tcp_path_of(robot, path, Pose(), None)
         assert way.enter(0.02, 0.5)[0] == 0.5
         assert way.leave(0.02, 0.5)[0] == 0.5

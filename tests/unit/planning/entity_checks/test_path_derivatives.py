@@ -50,10 +50,10 @@ def test_a_path_that_is_what_it_says_is_flown() -> None:
 @pytest.mark.parametrize(
     ("telling", "told"),
     [
-        (Telling(first=0.5), "returned `d1` that is not the derivative at place"),
-        (Telling(first=1.05), "returned `d1` that is not the derivative at place"),
+        (Telling(first=0.5), "returned `d1` that is not the derivative at path parameter"),
+        (Telling(first=1.05), "returned `d1` that is not the derivative at path parameter"),
         (Telling(first=float("inf")), "numbers that are not finite"),
-        (Telling(second=1.0), "returned `d2` that is not the derivative at place"),
+        (Telling(second=1.0), "returned `d2` that is not the derivative at path parameter"),
     ],
 )
 def test_a_path_that_tells_other_derivatives_than_it_has_is_refused(telling: Telling, told: str) -> None:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from ropsim.flow import ModalState
-from ropsim.motion import Effort, JointBounds, RetimedTrajectory, Ticks, keep_limits
+from ropsim.motion import Effort, JointBounds, RetimedTrajectory, Ticks, retime
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.joint_limits.evaluated import EvaluatedTrajectory, as_bounds_allow
 from ropsim.planning.joint_limits.fitting import fitted
@@ -44,7 +44,7 @@ def fit(parts: tuple[Section, ...], bounds: ArmBounds) -> tuple[EvaluatedTraject
 def test_a_line_that_joints_leave_more_than_a_thousandth_of_its_rate_is_fitted() -> None:
     """Of the jerk they leave 1e-8, so of the rate, which goes with its cube root, 0.2 %."""
     planned, found = fit(line((-1e-4, 0.0, 0.0)), arm(1.0, 1.0, 1e-8))
-    assert found.reference.utilisation.is_kept
+    assert found.reference.utilisation.is_within_limits
     assert found.timing.duration > 100.0 * planned.timing.duration
 
 
@@ -79,7 +79,7 @@ def test_of_both_ways_to_keep_the_limits_the_quicker_one_counts(
 ) -> None:
     parts, bounds = line(way, speed), arm(*shares)
     planned, lower = fit(parts, bounds)
-    slower = keep_limits(planned.motion, bounds.joints, None, TICK)
+    slower = retime(planned.motion, bounds.joints, None, TICK)
     assert isinstance(slower, RetimedTrajectory)
     durations = lower.timing.duration, slower.clock.duration
     assert min(durations) < 0.95 * max(durations)

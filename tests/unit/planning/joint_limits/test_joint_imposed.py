@@ -7,7 +7,7 @@ import pytest
 
 from ropsim.motion import JointBounds, Quantity
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
-from ropsim.planning.joint_limits.joint_imposed import JointImposedLimits, Walked, imposed_limits
+from ropsim.planning.joint_limits.joint_imposed import EvaluatedPath, JointImposedLimits, imposed_limits
 from ropsim.planning.joint_limits.joint_imposed_kernel import ACCELERATION, JERK, SPEED
 from ropsim.spatial import Array
 
@@ -31,7 +31,7 @@ def walked(
     d2: tuple[float, float] = (0.0, 0.0),
     others: float = 0.0,
     jerks: tuple[float, float] = (0.0, 0.0),
-) -> Walked:
+) -> EvaluatedPath:
     """Return a path of one joint at one tick and at the one before it, beside the motion of `others`."""
 
     def pair(values: tuple[float, float]) -> Array:
@@ -41,7 +41,7 @@ def walked(
     speeds, accelerations = pair(v)[:, :, None], pair(a)[:, :, None]
     qdd = second * speeds**2 + first * accelerations + others
     qd = (first * speeds)[1]
-    return Walked(
+    return EvaluatedPath(
         pair((0.3, 0.31)),
         pair(v),
         pair(a),
@@ -57,7 +57,7 @@ def walked(
 
 def only(caps: JointImposedLimits) -> tuple[int, object, Quantity]:
     assert caps.count == 1
-    assert caps.places.tolist() == [[0.3], [0.31]]
+    assert caps.parameters.tolist() == [[0.3], [0.31]]
     kind, value, tick, joint, quantity = caps.rows[:, 0].tolist()
     assert (tick, joint) == (0.0, 0.0)
     return int(kind), value, NUMBERS[int(quantity)]

@@ -5,7 +5,7 @@ import pytest
 
 from ropsim.motion import JointBounds
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
-from ropsim.planning.joint_limits.joint_imposed import Walked, imposed_limits
+from ropsim.planning.joint_limits.joint_imposed import EvaluatedPath, imposed_limits
 
 TICK = 1e-2
 
@@ -24,7 +24,7 @@ def test_caps_of_many_ticks_are_those_of_each_by_quantity_and_kind(seed: int, sc
     jerks = scale * rng.normal(size=(2, b)) / TICK
     qd, qdd = d1[1] * v[1, :, None], d2 * (v * v)[:, :, None] + d1 * a[:, :, None]
     torque = 2.0 * qdd[1] + 0.1 * np.abs(qd)
-    walked = Walked(
+    walked = EvaluatedPath(
         np.sort(rng.uniform(size=(2, b)), axis=0), v, a, jerks, d1, d2, np.zeros((b, n)), qd, qdd, torque
     )
     caps = imposed_limits(walked, arm, TICK, 0.99)
@@ -32,10 +32,10 @@ def test_caps_of_many_ticks_are_those_of_each_by_quantity_and_kind(seed: int, sc
     wanted = []
     for tick in range(b):
         here = slice(tick, tick + 1)
-        at = walked.places[:, here], v[:, here], a[:, here], jerks[:, here]
+        at = walked.parameters[:, here], v[:, here], a[:, here], jerks[:, here]
         first, second = (np.ascontiguousarray(each[:, here]) for each in (d1, d2))
         joints = np.zeros((1, n)), qd[here], np.ascontiguousarray(qdd[:, here]), torque[here]
-        alone = Walked(*at, first, second, *joints)
+        alone = EvaluatedPath(*at, first, second, *joints)
         caps = imposed_limits(alone, arm, TICK, 0.99)
         wanted += [
             (*column[:2], float(tick), *column[3:]) for column in caps.rows[:, : caps.count].T.tolist()

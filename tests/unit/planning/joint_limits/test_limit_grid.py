@@ -34,7 +34,7 @@ def caps(kind: int, value: float, first: float, last: float, joint: int = 2) -> 
 def test_cells_lie_between_the_places_at_given_times() -> None:
     times = np.linspace(0.0, PART.law.duration, 8)
     bands = limit_grid_of(PART, times, 0.0)
-    assert bands.borders == pytest.approx(PART.law.at(times).places)
+    assert bands.borders == pytest.approx(PART.law.at(times).parameters)
     (stage,) = PART.path_segments[0].path_limits
     assert bands.bounds == pytest.approx(
         np.array([[stage.speed], [stage.acceleration], [stage.jerk]]) * np.ones(7)
@@ -103,8 +103,8 @@ def test_the_motion_keeps_what_the_cells_allow() -> None:
     slow = low.replanned(RULES)
     assert slow.law.duration > PART.law.duration
     rows = slow.law.at(np.linspace(0.0, slow.law.duration, 2000))
-    band = np.clip(np.searchsorted(low.borders, rows.places, "right") - 1, 0, low.bounds.shape[1] - 1)
-    inside = np.abs(rows.places[:, None] - low.borders).min(axis=1) > 1e-9
+    band = np.clip(np.searchsorted(low.borders, rows.parameters, "right") - 1, 0, low.bounds.shape[1] - 1)
+    inside = np.abs(rows.parameters[:, None] - low.borders).min(axis=1) > 1e-9
     assert (rows.speeds[inside] <= low.bounds[SPEED, band[inside]] * (1.0 + 1e-9)).all()
     assert (np.abs(rows.accelerations[inside]) <= low.bounds[ACCELERATION, band[inside]] * (1.0 + 1e-9)).all()
 

@@ -19,7 +19,7 @@ from ropsim.planning.joint_limits.grid_lines_kernel import (
     cell_times,
     lay_grid,
 )
-from ropsim.planning.joint_limits.grid_reach_kernel import BESIDE, MOST_LONGER, reach_of
+from ropsim.planning.joint_limits.grid_reach_kernel import MOST_LONGER, NEIGHBOURS, reach_of
 from ropsim.planning.joint_limits.limit_grid_kernel import (
     FIRST_STEP,
     SECOND_STEP,
@@ -70,7 +70,7 @@ def test_caps_bring_bands_down_to_steps_below_them(seed: int) -> None:
     low, named = before.copy(), np.full((2, c), -1.0)
     spans = []
     for kind, value, tick, *_ in rows.T:
-        first, last = np.searchsorted(borders, places[:, int(tick)], "right") - 1 + (-BESIDE, BESIDE)
+        first, last = np.searchsorted(borders, places[:, int(tick)], "right") - 1 + (-NEIGHBOURS, NEIGHBOURS)
         spans.append(slice(int(np.clip(first, 0, c - 1)), int(np.clip(last, 0, c - 1)) + 1))
         low[int(kind), spans[-1]] = np.minimum(low[int(kind), spans[-1]], value)
     for span, (kind, value, _, *cause) in zip(spans, rows.T, strict=True):
@@ -97,7 +97,7 @@ def test_less_jerk_counts_for_as_long_as_the_time_of_too_much_gets_longer(
     rows = np.array([(kind, 2.0 * share, k, 1, quantity) for k in range(b)], dtype=np.float64).T.copy()
     reach = np.empty((2, b))
     reach_of(rows, b, places, borders, before, np.empty((4, b)), reach)
-    firsts, lasts = ticks - 1.0 - BESIDE, ticks + BESIDE
+    firsts, lasts = ticks - 1.0 - NEIGHBOURS, ticks + NEIGHBOURS
     if kind == quantity == 2:
         longer = min(max(1.0 / share - 1.0, 0.0), MOST_LONGER)
         firsts[0] = min(firsts[0], np.floor(18.5 - 10 * longer))
@@ -161,7 +161,7 @@ def test_bands_end_where_the_motion_is_at_times_and_where_stages_end(seed: int) 
     assert laid.tolist() == begins.tolist()
     inside = times[(times > start) & (times < start + law.duration)] - start
     found = law.at(inside)
-    places = begins[found.path_segments] + found.places
+    places = begins[found.path_segments] + found.parameters
     free = np.abs(places[:, None] - np.append(0.0, ends)).min(axis=1) > near
     borders = np.unique(np.append(ends, places[free]))
     c = int(told[0])
@@ -264,11 +264,11 @@ def test_what_joints_do_at_ticks_stands_beside_where_the_run_is(seed: int) -> No
     pair = np.append(now - 1, now)
     rows = law.at(phi[pair] - start)
     assert out[:4].tolist() == [
-        each.tolist() for each in (rows.path_segments, rows.places, rows.speeds, rows.accelerations)
+        each.tolist() for each in (rows.path_segments, rows.parameters, rows.speeds, rows.accelerations)
     ]
     moving = (phi[pair] >= start) & (phi[pair] < start + law.duration)
     behind = law.segments[5, np.searchsorted(law.segments[1], phi[pair] - start, "right") - 1]
     assert out[4].tolist() == np.where(moving, behind, 0.0).tolist()
-    assert places.ravel().tolist() == (begins[rows.path_segments] + rows.places).tolist()
+    assert places.ravel().tolist() == (begins[rows.path_segments] + rows.parameters).tolist()
     assert motion.tolist() == [q[now].tolist(), qd[now].tolist()]
     assert changed.tolist() == [qdd[now - 1].tolist(), qdd[now].tolist()]

@@ -65,8 +65,8 @@ def zigzag(side: float) -> MotionPlan:
 def test_lines_are_looked_at_first_at_a_few_ticks_and_last_at_each(
     first: float, periods: list[float], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(retiming, "_FIRST_LOOK", first)
-    monkeypatch.setattr(retiming, "_FEWEST_LOOKS", 8)
+    monkeypatch.setattr(retiming, "_FIRST_SPACING", first)
+    monkeypatch.setattr(retiming, "_FEWEST_TICKS", 8)
     planned = zigzag(0.2)
     assert periods == [pytest.approx(first), *[planned.period] * (len(periods) - 1)]
     assert len(periods) > 1  # joints could not follow at first
@@ -76,9 +76,9 @@ def test_lines_are_looked_at_first_at_a_few_ticks_and_last_at_each(
 def test_short_motions_are_looked_at_at_each_tick_at_once(
     periods: list[float], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(retiming, "_FEWEST_LOOKS", 150)
+    monkeypatch.setattr(retiming, "_FEWEST_TICKS", 150)
     planned = zigzag(1e-3)
-    assert planned.duration < retiming._FEWEST_LOOKS * retiming._FIRST_LOOK
+    assert planned.duration < retiming._FEWEST_TICKS * retiming._FIRST_SPACING
     assert set(periods) == {planned.period}
 
 
@@ -93,5 +93,5 @@ def test_how_densely_lines_are_looked_at_first_costs_no_time(
     side: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked = zigzag(side).duration
-    monkeypatch.setattr(retiming, "_FIRST_LOOK", 1e-3)
+    monkeypatch.setattr(retiming, "_FIRST_SPACING", 1e-3)
     assert asked <= 1.001 * zigzag(side).duration

@@ -39,7 +39,7 @@ def test_neither_way_nor_turn_between_two_samples_is_too_long(way: float, turn: 
     steps = np.linalg.norm(np.diff(matrices[:, :3, 3], axis=0), axis=1)
     between = np.swapaxes(matrices[:-1, :3, :3], 1, 2) @ matrices[1:, :3, :3]
     angles = np.arccos(np.clip((np.trace(between, axis1=1, axis2=2) - 1.0) / 2.0, -1.0, 1.0))
-    assert steps.max() <= SAMPLER.way * (1.0 + ROUNDING)
+    assert steps.max() <= SAMPLER.distance * (1.0 + ROUNDING)
     assert angles.max() <= SAMPLER.turn * (1.0 + 1e-6)  # arccos is coarse near 0
 
 
@@ -82,5 +82,5 @@ class Bow:
 def test_any_path_of_the_tool_is_sampled_along_its_way() -> None:
     places = SAMPLER.sample(Bow(), 1).matrices[:, :3, 3]
     assert np.abs(np.linalg.norm(places, axis=1) - 0.5).max() < ROUNDING
-    assert np.linalg.norm(np.diff(places, axis=0), axis=1).max() <= SAMPLER.way
-    assert len(places) == math.ceil(Bow.length / SAMPLER.way) + 1
+    assert np.linalg.norm(np.diff(places, axis=0), axis=1).max() <= SAMPLER.distance
+    assert len(places) == math.ceil(Bow.length / SAMPLER.distance) + 1

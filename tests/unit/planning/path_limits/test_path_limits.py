@@ -105,7 +105,7 @@ def test_a_turn_of_the_tool_keeps_to_the_angular_limits(mode: OrientationMode) -
     ones = np.ones(len(stages))
     law = jerk_limited(np.column_stack((stages.rows, ones, -ones)), np.array([float(len(stages))]))
     rows = law.at(np.linspace(0.0, law.duration, 2001))
-    points = path.tool(rows.places)
+    points = path.tool(rows.parameters)
     v, a = rows.speeds[:, None], rows.accelerations[:, None]
     angular = (points.d1 * v)[:, 3:]
     accelerated = (points.d2 * v * v + points.d1 * a)[:, 3:]

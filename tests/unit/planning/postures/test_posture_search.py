@@ -210,7 +210,7 @@ def test_a_posture_is_taken_in_which_a_line_does_not_pass_close_to_a_singularity
 
 
 def test_a_long_stretch_is_not_searched_without_end(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(posture_search, "MOST_LEGS", 0)
+    monkeypatch.setattr(posture_search, "MOST_MOVES", 0)
     nearest, refusal = in_turn(STRETCH)
     found, why = sequence_moves(CHAIN, STRETCH, (), START)
     assert why == refusal

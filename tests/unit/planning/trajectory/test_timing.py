@@ -80,7 +80,7 @@ def test_a_law_counts_the_pieces_of_its_run_whatever_their_stages() -> None:
     assert [len(piece.path_limits) > 1 for piece in run.path_segments] == [False, True, False, True, False]
     rows = run.law.at(np.nextafter(run.law.ends, 0.0))
     assert rows.path_segments.tolist() == [0, 1, 2, 3, 4]
-    assert rows.places == pytest.approx([piece.joints.length for piece in run.path_segments], rel=1e-9)
+    assert rows.parameters == pytest.approx([piece.joints.length for piece in run.path_segments], rel=1e-9)
     for piece in run.path_segments:
         assert sum(stage.length for stage in piece.path_limits) == pytest.approx(
             piece.joints.length, rel=ROUNDING

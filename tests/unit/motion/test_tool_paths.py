@@ -3,17 +3,17 @@
 import numpy as np
 import pytest
 
-from ropsim.motion import JointPoints, Ways, no_ways
+from ropsim.motion import JointPoints, PathMotion, no_path_motion
 from ropsim.motion.retiming.tool_paths import steps_allowed
 
 INF = np.inf
 
 
-def ways(accelerations: list[float], jerks: list[float]) -> Ways:
+def ways(accelerations: list[float], jerks: list[float]) -> PathMotion:
     column = (np.array(each)[:, None] for each in (accelerations, jerks))
     accelerations_, jerks_ = column
     nothing = np.zeros_like(accelerations_)
-    return Ways(nothing, accelerations_, nothing + INF, jerks_)
+    return PathMotion(nothing, accelerations_, nothing + INF, jerks_)
 
 
 def test_the_lesser_limit_of_two_ticks_counts() -> None:
@@ -39,7 +39,7 @@ def test_where_a_path_begins_or_ends_there_is_no_limit() -> None:
 
 def test_paths_stand_behind_the_joints() -> None:
     points = JointPoints(np.zeros((2, 2)), np.array([[1.0, 2.0], [3.0, 4.0]]), np.ones((2, 2)))
-    first, second = ways([5.0, 6.0], [1.0, 1.0]).beside(points)
+    first, second = ways([5.0, 6.0], [1.0, 1.0]).with_joints(points)
     assert first.tolist() == [[1.0, 2.0, 0.0], [3.0, 4.0, 0.0]]
     assert second.tolist() == [[1.0, 1.0, 5.0], [1.0, 1.0, 6.0]]
-    assert no_ways(2).beside(points)[0].tolist() == points.d1.tolist()
+    assert no_path_motion(2).with_joints(points)[0].tolist() == points.d1.tolist()

@@ -10,7 +10,7 @@ from ropsim.motion.retiming.nominal_time_kernel import (
     ROWS_OF_LOAD,
     ROWS_OF_RATES,
     beyond_torque,
-    walk_at,
+    evaluate_at,
 )
 from ropsim.motion.retiming.utilisation_kernel import by_real_time
 from ropsim.spatial import Array
@@ -20,7 +20,7 @@ def walk(first: Array, second: Array, course: Array, limits: Array) -> tuple[Arr
     """Return the speeds and accelerations, and what is beyond limits."""
     out, beyond = np.full((2, *first.shape), np.nan), np.empty(1)
     room = np.empty((ROWS_OF_RATES, AT_ONCE * first.shape[1]))
-    walk_at(first, second, course, limits, room, out.reshape(2, -1), beyond)
+    evaluate_at(first, second, course, limits, room, out.reshape(2, -1), beyond)
     return out, float(beyond[0])
 
 

@@ -11,7 +11,7 @@ from ropsim.motion import (
     JointBounds,
     NominalTime,
     RetimedTrajectory,
-    keep_limits,
+    retime,
     time_optimal,
 )
 from ropsim.spatial import Array
@@ -43,7 +43,7 @@ def case(seed: int, wider: float = 1.0) -> tuple[Waves, JointBounds, Effort | No
 @cache
 def slowed(seed: int, wider: float = 1.0) -> RetimedTrajectory | Infeasible:
     motion, bounds, effort = case(seed, wider)
-    return keep_limits(motion, bounds, effort, TICK)
+    return retime(motion, bounds, effort, TICK)
 
 
 def clock_of(seed: int, wider: float = 1.0) -> NominalTime:
@@ -102,7 +102,7 @@ def test_slowed_parts_hold_all_that_is_slowed(seed: int) -> None:
     for part in found.slowed:
         inside |= (phi >= part.start) & (phi <= part.end)
         assert 0.0 < part.share < 1.0
-    rates = np.interp(phi, found.clock.places, found.clock.rates)
+    rates = np.interp(phi, found.clock.phi, found.clock.rates)
     assert (rates[~inside] == 1.0).all()
     assert bool(found.slowed) == bool((rates < 1.0).any())
 
@@ -132,7 +132,7 @@ def test_one_bad_place_does_not_slow_a_long_motion_elsewhere() -> None:
         motion = Waves(random, 3, duration, 0.2, 0.2)
         speed, acceleration, jerk = most_of(motion)
         bounds = JointBounds(speed * 0.9, acceleration * 2.0, jerk * 4.0)
-        found = keep_limits(motion, bounds, None, TICK)
+        found = retime(motion, bounds, None, TICK)
         assert isinstance(found, RetimedTrajectory)
         costs.append((found.clock.duration - duration, sum(part.end - part.start for part in found.slowed)))
     for delay, length in costs:

@@ -7,15 +7,15 @@ from ropsim.motion import (
     Infeasible,
     JointBounds,
     JointPoints,
+    PathMotion,
     ProfileError,
     ProfileLimits,
     Quantity,
     RetimedTrajectory,
-    Ways,
     evaluate,
-    keep_limits,
-    no_ways,
+    no_path_motion,
     plan_profile,
+    retime,
 )
 from ropsim.spatial import Array
 from support.motions import Passing
@@ -34,8 +34,8 @@ class Profiled:
     def at(self, phi: Array) -> JointPoints:
         return JointPoints(*(each[:, None] for each in evaluate(self._profile, phi)))
 
-    def ways(self, phi: Array) -> Ways:
-        return no_ways(len(phi))
+    def path_motion(self, phi: Array) -> PathMotion:
+        return no_path_motion(len(phi))
 
 
 def one(speed: float, acceleration: float, jerk: float, effort: float | None = None) -> JointBounds:
@@ -52,7 +52,7 @@ MOTION = Profiled(3.0, ProfileLimits(2.0, 8.0, 80.0))
 
 
 def test_a_plan_on_its_very_limits_is_left_as_it_is_bit_by_bit() -> None:
-    found = kept(keep_limits(MOTION, one(2.0, 8.0, 80.0), None, TICK))
+    found = kept(retime(MOTION, one(2.0, 8.0, 80.0), None, TICK))
     times = np.random.default_rng(1).uniform(0.0, MOTION.duration, 1000)
     assert found.slowed == ()
     assert found.clock.at(times)[0].tolist() == times.tolist()
@@ -60,7 +60,7 @@ def test_a_plan_on_its_very_limits_is_left_as_it_is_bit_by_bit() -> None:
 
 
 def test_rows_are_the_motion_at_all_control_ticks() -> None:
-    found = kept(keep_limits(MOTION, one(1.5, 8.0, 80.0), None, TICK))
+    found = kept(retime(MOTION, one(1.5, 8.0, 80.0), None, TICK))
     ticks = np.asarray(np.arange(len(found.rows.q)) * TICK, dtype=np.float64)
     assert ticks[-2] < found.clock.duration <= ticks[-1]
     assert found.phi.tolist() == found.clock.at(ticks)[0].tolist()
@@ -72,7 +72,7 @@ def test_rows_are_the_motion_at_all_control_ticks() -> None:
 
 
 def test_a_slower_joint_reaches_its_limit_and_the_part_is_told() -> None:
-    found = kept(keep_limits(MOTION, one(1.5, 8.0, 80.0), None, TICK))
+    found = kept(retime(MOTION, one(1.5, 8.0, 80.0), None, TICK))
     assert found.rows.d1.max() == pytest.approx(1.5, rel=1e-6)
     (part,) = found.slowed
     assert (part.joint, part.quantity) == (0, Quantity.SPEED)
@@ -91,7 +91,7 @@ def test_a_slower_joint_reaches_its_limit_and_the_part_is_told() -> None:
     ],
 )
 def test_the_quantity_that_binds_is_named(bounds: JointBounds, quantity: Quantity) -> None:
-    found = kept(keep_limits(MOTION, bounds, None, TICK))
+    found = kept(retime(MOTION, bounds, None, TICK))
     assert {part.quantity for part in found.slowed} == {quantity}
 
 
@@ -103,7 +103,7 @@ def test_a_pendulum_with_little_torque_is_slowed_where_it_must_lift() -> None:
 
     lift = Profiled(0.9 * np.pi, ProfileLimits(4.0, 9.0, 90.0))
     bounds = one(5.0, 50.0, 1000.0, 10.5)
-    found = kept(keep_limits(lift, bounds, effort, TICK))
+    found = kept(retime(lift, bounds, effort, TICK))
     torque = effort(found.rows.q, found.rows.d1, found.rows.d2)
     assert np.abs(torque).max() <= 10.5 * (1.0 + 1e-9)
     assert np.abs(torque).max() >= 10.5 * 0.97
@@ -115,7 +115,7 @@ def test_what_gravity_alone_forbids_is_refused_at_the_first_place() -> None:
     def effort(q: Array, _qd: Array, qdd: Array) -> Array:
         return np.asarray(qdd + 9.81 * np.sin(q))
 
-    found = keep_limits(
+    found = retime(
         Profiled(np.pi / 2.0, ProfileLimits(2.0, 8.0, 80.0)), one(5.0, 50.0, 1000.0, 9.0), effort, TICK
     )
     assert isinstance(found, Infeasible)
@@ -129,7 +129,7 @@ def test_what_gravity_alone_forbids_is_refused_at_the_first_place() -> None:
 def test_half_a_turn_within_a_short_way_is_gone_slowly_and_only_there(width: float) -> None:
     motion = Passing(3.0, width)
     bounds = JointBounds(np.array([2.0, 3.0]), np.array([10.0, 30.0]), np.array([100.0, 300.0]))
-    found = kept(keep_limits(motion, bounds, None, TICK))
+    found = kept(retime(motion, bounds, None, TICK))
     (part,) = found.slowed
     assert part.joint == 1
     assert part.share == pytest.approx(3.0 * width / (140.0 / 64.0), rel=0.02)  # speed limit midway
@@ -145,15 +145,15 @@ def test_torque_that_only_braking_takes_is_kept_where_another_limit_slows_the_mo
     motion, limits = Passing(3.0, 0.05), (np.array([2.0, 3.0]), np.array([60.0, 300.0]), np.full(2, 3e3))
     plain = np.abs(motion.at(np.linspace(0.0, motion.duration, 3000)).d2[:, 0]).max()
     torque = np.array([1.05 * plain, 1.0])
-    free = kept(keep_limits(motion, JointBounds(*limits), effort, TICK))
+    free = kept(retime(motion, JointBounds(*limits), effort, TICK))
     assert np.abs(free.rows.d2[:, 0]).max() > 1.5 * torque[0]
-    found = kept(keep_limits(motion, JointBounds(*limits, torque), effort, TICK))
+    found = kept(retime(motion, JointBounds(*limits, torque), effort, TICK))
     assert np.abs(found.rows.d2[:, 0]).max() <= torque[0] * (1.0 + 1e-9)
     assert found.clock.duration > free.clock.duration
 
 
 def test_a_motion_that_would_take_minutes_longer_is_refused() -> None:
-    found = keep_limits(MOTION, one(0.004, 8.0, 80.0), None, TICK)
+    found = retime(MOTION, one(0.004, 8.0, 80.0), None, TICK)
     assert isinstance(found, Infeasible)
     assert (found.joint, found.quantity, found.limit) == (0, Quantity.SPEED, 0.004)
 
@@ -173,18 +173,18 @@ class Wound:
         d1, d2 = 1.0 + 8.0 * (1.0 - z**2), -16.0 / 0.05 * z * (1.0 - z**2)
         return JointPoints(s + 0.4 * z, d1 * v, d2 * v**2 + d1 * a)
 
-    def ways(self, phi: Array) -> Ways:
+    def path_motion(self, phi: Array) -> PathMotion:
         _, v, a = evaluate(self._profile, phi)
         most = (np.full((len(phi), 1), each) for each in (self.limits.acceleration, self.limits.jerk))
-        return Ways(v[:, None], a[:, None], *most)
+        return PathMotion(v[:, None], a[:, None], *most)
 
 
 def test_a_path_keeps_its_own_limits_where_a_joint_slows_it() -> None:
     motion = Wound()
-    found = kept(keep_limits(motion, one(1.5, 30.0, 1000.0), None, TICK))
+    found = kept(retime(motion, one(1.5, 30.0, 1000.0), None, TICK))
     (part,) = found.slowed
     assert part.share < 0.4
-    ways = motion.ways(found.phi)
+    ways = motion.path_motion(found.phi)
     times: Array = TICK * np.arange(float(len(found.phi)))
     _, w, c = found.clock.at(times)
     acceleration = ways.accelerations[:, 0] * w**2 + ways.speeds[:, 0] * c
@@ -202,24 +202,24 @@ class Broken:
         q = np.where(phi < 0.5, 0.0, np.nan)[:, None]
         return JointPoints(q, q, q)
 
-    def ways(self, phi: Array) -> Ways:
-        return no_ways(len(phi))
+    def path_motion(self, phi: Array) -> PathMotion:
+        return no_path_motion(len(phi))
 
 
 def test_bad_input_is_refused_in_words() -> None:
     with pytest.raises(ProfileError, match=r"at tick 500, allowed are finite"):
-        keep_limits(Broken(), one(1.0, 1.0, 1.0), None, TICK)
+        retime(Broken(), one(1.0, 1.0, 1.0), None, TICK)
     with pytest.raises(ProfileError, match="control tick 0 s"):
-        keep_limits(MOTION, one(1.0, 1.0, 1.0), None, 0.0)
+        retime(MOTION, one(1.0, 1.0, 1.0), None, 0.0)
     with pytest.raises(ProfileError, match="grid nan s"):
-        keep_limits(MOTION, one(1.0, 1.0, 1.0), None, TICK, float("nan"))
+        retime(MOTION, one(1.0, 1.0, 1.0), None, TICK, float("nan"))
     still = Profiled(0.0, ProfileLimits(1.0, 1.0, 1.0))
     with pytest.raises(ProfileError, match="duration is 0 s"):
-        keep_limits(still, one(1.0, 1.0, 1.0), None, TICK)
+        retime(still, one(1.0, 1.0, 1.0), None, TICK)
     with pytest.raises(ProfileError, match="the same numbers"):
-        keep_limits(Passing(1.0, 0.1), one(1.0, 1.0, 1.0), None, TICK)
+        retime(Passing(1.0, 0.1), one(1.0, 1.0, 1.0), None, TICK)
     with pytest.raises(ProfileError, match="torques are"):
-        keep_limits(MOTION, one(1.0, 1.0, 1.0, 1.0), lambda q, _qd, _qdd: np.full_like(q, np.nan), TICK)
+        retime(MOTION, one(1.0, 1.0, 1.0, 1.0), lambda q, _qd, _qdd: np.full_like(q, np.nan), TICK)
 
 
 @pytest.mark.parametrize("value", [0.0, -1.0, float("nan")])
