@@ -84,7 +84,7 @@ def in_ticks(
 def _path_segments(
     timing: Timing, ticks: Sequence[Sequence[int]]
 ) -> tuple[tuple[TimedSegment, ...], tuple[tuple[int, int], ...]]:
-    """Return the path segments, and the ways round blends and the overlaps in order of time.
+    """Return the path segments, and the blends and overlaps in order of time.
 
     Args:
         timing: of the sequence.

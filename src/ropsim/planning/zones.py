@@ -84,7 +84,7 @@ def achieved_zones(
     """Return the distance from the target of each move at which the path leaves it [m]; 0 where it stops.
 
     A rounded blend is left at its zone. Where motions overlap, both are added only as long as the shorter
-    of their two parts within the zone lasts, so the other move is left nearer to the corner: it is where
+    of their two parts within the zone lasts, so the other move is left nearer to the blend: it is where
     the TCP is when the next motion begins that counts.
 
     Args:

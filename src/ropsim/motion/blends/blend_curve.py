@@ -1,4 +1,4 @@
-"""Corner: a smooth way of the tool from one path to the next, past the point where they meet."""
+"""Blend: a smooth path of the tool from one path to the next, past the point where they meet."""
 
 from enum import Enum
 
@@ -20,17 +20,17 @@ from ropsim.motion.paths.arc_length import ArcLength, arc_length_in_steps, quadr
 from ropsim.motion.paths.curve import Curve
 
 BLEND_STEPS = 128
-"""Of the arc length of a corner of even speed."""
+"""Of the arc length of a blend of even speed."""
 SWING = 2.1
-"""ds/du at the ends of a corner as a multiple of the way to its point is this by ((1 + cosine) / 2)^(1/4).
+"""ds/du at the ends of a blend over the distance to its point: this times ((1 + cosine) / 2)^(1/4).
 
-Of all multiples it gives the corner of two straight lines that is walked in the least time with constant
+Of all multiples it gives the blend of two straight lines that is traversed in the least time with constant
 speed under a bound of the jerk, to 3 %; found for turns from 5° to 150°.
 """
 
 
 class BlendFault(Enum):
-    """Why there is no corner in the space of the tool."""
+    """Why there is no blend in the space of the tool."""
 
     NO_LENGTH = "the TCP stands on one of the paths"
     TURNS_BACK = "the next path leads back along the one before"
@@ -38,22 +38,22 @@ class BlendFault(Enum):
 
 
 def blend_curve(before: ToolPath, s_leave: float, after: ToolPath, s_enter: float) -> Curve | BlendFault:
-    """Return the corner that leaves one path of the tool and enters the next.
+    """Return the blend that leaves one path of the tool and enters the next.
 
     Position and rotation vector are polynomials of degree five in u from 0 to 1, with value, first and second
-    derivative of the paths at both ends, where ds/du is a multiple of the way that each path still has to the
-    point where they meet, which makes the bend of the corner change as little as it can. The orientation is
-    turned relative to the middle one of both ends. Over its arc length the corner has the position, tangent,
-    curvature, orientation, angular velocity and acceleration of its neighbours.
+    derivative of the paths at both ends, where ds/du is a multiple of the distance that each path still has
+    to the point where they meet, which makes the bend of the blend change as little as it can. The
+    orientation is turned relative to the middle one of both ends. Over its arc length the blend has the
+    position, tangent, curvature, orientation, angular velocity and acceleration of its neighbours.
 
     Args:
-        before: path that is left, in the frame of the corner; it ends where `after` begins.
-        s_leave: its place there [m].
+        before: path that is left, in the frame of the blend; it ends where `after` begins.
+        s_leave: its path parameter there [m].
         after: path that is entered, in the same frame.
-        s_enter: its place there [m].
+        s_enter: its path parameter there [m].
 
     Returns:
-        the corner, or why there is none: the TCP stands, the turn is more than 170° or has a cusp, or the
+        the blend, or why there is none: the TCP stands, the turn is more than 170° or has a cusp, or the
         tool would whirl.
     """
     lengths = before.length - s_leave, s_enter

@@ -1,4 +1,4 @@
-"""A corner between two poses, its polynomials and its arc length, in plain loops that numba compiles."""
+"""A blend between two poses, its polynomials and its arc length, in plain loops that numba compiles."""
 
 from math import atan2, sqrt
 from typing import NamedTuple
@@ -10,15 +10,15 @@ from ropsim.motion.curves.curve_kernel import arc_length_of_steps, rate_rows, sp
 from ropsim.spatial import Array
 
 SAMPLES = 64
-"""Steps in which the turn of the tool and the speed of the polynomials are looked at."""
+"""Steps in which the turn of the tool and the speed of the polynomials are sampled."""
 MADE, NO_LENGTH, TURNS_BACK, WHIRLS = range(4)
-"""What became of a corner."""
+"""What became of a blend."""
 UNIT = 1e-6
 """By which a tangent may differ from a unit vector."""
 SHARPEST = -0.98481
 """Cosine of 170°."""
 SLOWEST = 0.05
-"""Least |p'| of the speeds at both ends; a corner of two lines by 170° has 0.087."""
+"""Least |p'| of the speeds at both ends; a blend of two lines by 170° has 0.087."""
 UNEVEN = 0.45
 """Least |p'| by its greatest; below, steps are four times as fine."""
 FULL_TURN = 6.283185307179586
@@ -30,8 +30,8 @@ class Rules(NamedTuple):
     Attributes:
         series: `rotation_vector.series`.
         points: of the quadrature, as for `arc_length_of_steps`.
-        weights: likewise.
-        swing: ds/du at the ends of a blend that does not turn, as a multiple of the distance to its corner.
+        weights: of the same shape.
+        swing: ds/du at the ends of a blend that does not turn, as a multiple of the distance to its point.
         steps: of the arc length, for a blend of even speed.
     """
 
@@ -84,7 +84,7 @@ class BlendRows(NamedTuple):
         coefficients: of u⁰ to u⁵, shape (1, 6, 6).
         middles: the orientation that rotation vectors count from, shape (1, 3, 3).
         ends: of the arc length, as for `arc_length_of_steps`, if the steps suffice.
-        inverse: likewise.
+        inverse: of the same shape.
     """
 
     coefficients: Array3
@@ -164,7 +164,7 @@ def blend_polynomials(
     Args:
         series: `rotation_vector.series`.
         matrices: poses of the tool at both ends, shape (2, 4, 4).
-        d1: first derivatives by the way there, shape (2, 6).
+        d1: first derivatives by the path parameter there, shape (2, 6).
         d2: second ones.
         scales: ds/du at both ends, shape (2,).
         work: to work in, shape (15, 3).
@@ -216,7 +216,7 @@ def _quintic(C: Array, column: int, x: float, v: float, a: float, y: float, w: f
 
 
 def _greatest_turn(C: Array) -> float:
-    """Return the greatest length of rotation vectors where it is looked; NaN where one is none."""
+    """Return the greatest length of rotation vectors at the samples; NaN where one is none."""
     greatest = 0.0
     for sample in range(SAMPLES + 1):
         u, square = sample / SAMPLES, 0.0

@@ -1,4 +1,4 @@
-"""The search for the place at which a path leaves a ball, in plain loops that numba compiles.
+"""The search for the path parameter at which a path leaves a ball, in plain loops that numba compiles.
 
 It requests distances: the caller evaluates the path at the requested path parameters, and calls it again.
 """
@@ -7,7 +7,7 @@ from ropsim.codegen import Array1, Array2, kernel
 from ropsim.spatial import Array
 
 SAMPLE_PARAMETERS, SAMPLE_SQUARES, EXCESS = range(3)
-"""Rows of looks: path parameters to evaluate, squares of the distances found there, and squares kept from
+"""Rows of samples: path parameters to evaluate, squares of the distances found there, and squares kept from
 before."""
 SAMPLE_COUNT, FOUND_PARAMETER, PHASE, FIRST, PEAK, LOW, WIDTH, SHARE, SLOPE, MENDED, SEARCH_STATE = range(11)
 """State: number of path parameters to evaluate next, 0 at the end; then the result. The rest belongs to the
@@ -35,15 +35,15 @@ def next_samples(
     """Take the squares of the distances that were requested, and request the next ones.
 
     The first interval of the grid at whose end the path is outside is cut where the polynomial through nine
-    squares in it is 0; where the path changes its law within it, that is mended. Between two places within
-    the zone the path may leave it: where it comes near the border, it is evaluated closely.
+    squares in it is 0; where the path changes its law within it, that is mended. Between two path parameters
+    within the zone the path may leave it: where it comes near the border, it is evaluated closely.
 
     Args:
         shares: of the farthest path parameter, evaluated first, rising from 0, at most `MOST_SAMPLES`,
             shape (g,).
         nodes: shares of an interval, and below the matrix from values there to coefficients, shape (10, 9).
-        zone: distance from the place at way 0 [m].
-        clip: the farthest way.
+        zone: distance from the position at path parameter 0 [m].
+        clip: the greatest path parameter.
         samples: rows as above; the squares [m²] of as many path parameters as were requested, shape (3,
             `MOST_SAMPLES`).
         state: of the search, as above; zeros at first, shape (`SEARCH_STATE`,).
@@ -174,7 +174,7 @@ def _slope(coefficients: Array, x: float) -> float:
 def _root(coefficients: Array) -> float:
     """Return where a polynomial crosses 0 in [0, 1]; it is negative at 0 (its first coefficient is of x⁰).
 
-    Newton's method, kept between a place below and one above 0.
+    Newton's method, kept between a path parameter below and one above 0.
     """
     low, high, x = 0.0, 1.0, 0.5
     for _ in range(STEPS):

@@ -1,4 +1,4 @@
-"""Curves of polynomials in plain loops that numba compiles: their places, their way, how the tool turns.
+"""Curves of polynomials in compiled loops: position, arc length and orientation of the tool.
 
 Rotation vectors θ follow positions: coefficients have six columns, p [m] and θ [rad]. Functions of x = |θ|²
 are power series (`rotation_vector.series`), whose rows are c₁ = sin|θ| / |θ|, c₂ = (1 - cos|θ|) / |θ|², c₃ =
@@ -63,11 +63,11 @@ def curve_points(
     d1: Array2,
     d2: Array2,
 ) -> None:
-    """Write the tool and its derivatives by the way at ways s.
+    """Write the tool and its derivatives by the arc length at arc lengths s.
 
     Args:
         series: see above.
-        ends: way at the end of each step, and 0 before them, shape (m + 1,).
+        ends: arc length at the end of each step, and 0 before them, shape (m + 1,).
         inverse: coefficients of t over the share of each step, shape (m, 6).
         steps: of each segment; m = c·steps.
         coefficients: of the segments, shape (c, 6, 6).
@@ -151,7 +151,7 @@ def arc_length_of_steps(
     ends: Array1,
     inverse: Array2,
 ) -> None:
-    """Write the way at the end of each step, and t over the share of the step.
+    """Write the arc length at the end of each step, and t over the share of the step.
 
     Args:
         coefficients: of the segments, shape (c, 6, 6).
@@ -159,7 +159,7 @@ def arc_length_of_steps(
         points: of the quadrature in [0, 1], shape (g,).
         weights: of these, shape (g,).
         work: to work in, shape (3·steps + 3,).
-        ends: where the ways go, and 0 before them, shape (c·steps + 1,).
+        ends: where the arc lengths go, and 0 before them, shape (c·steps + 1,).
         inverse: where the coefficients of t go, shape (c·steps, 6).
     """
     t, firsts = work[: steps + 1], work[steps + 1 : 2 * steps + 2]

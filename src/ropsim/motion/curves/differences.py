@@ -1,4 +1,4 @@
-"""Derivatives by differences: of rows at equidistant places, and of poses without derivatives."""
+"""Derivatives by differences: of rows at equidistant path parameters, and of poses without derivatives."""
 
 import math
 from collections.abc import Callable
@@ -17,14 +17,14 @@ _FINENESS = 256  # steps on the length of a path; rounding and the order of the 
 
 
 def row_derivatives(rows: Array, step: float) -> Array:
-    """Return first and second derivatives of rows at equidistant places.
+    """Return first and second derivatives of rows at equidistant path parameters.
 
     Central differences of order 6, one-sided ones of the same order at the three rows of each end; k < 9
     rows are differentiated as the polynomial through all of them.
 
     Args:
         rows: shape (k, n), k >= 2.
-        step: from one place to the next.
+        step: from one path parameter to the next.
 
     Returns:
         first and second derivatives, shape (2, k, n).
@@ -46,10 +46,10 @@ def row_derivatives(rows: Array, step: float) -> Array:
 
 
 def derivatives_and_roughness(rows: Array) -> tuple[Array, Array | None]:
-    """Return first and second derivatives of rows by their number, and how rough the way through them is.
+    """Return first and second derivatives of rows by their number, and how rough the path through them is.
 
     Args:
-        rows: at equidistant places, shape (k, n), k >= 2, without gaps.
+        rows: at equidistant path parameters, shape (k, n), k >= 2, without gaps.
 
     Returns:
         the derivatives, shape (2, k, n), and how far the path through every second of 2·m + 1 rows passes the
@@ -65,15 +65,15 @@ def derivatives_and_roughness(rows: Array) -> tuple[Array, Array | None]:
 
 
 def numeric_points(matrices_at: Callable[[Array], Array], s: Array, length: float) -> ToolPoints:
-    """Return the tool and its derivatives at places of a path that has poses only.
+    """Return the tool and its derivatives at path parameters of a path that has poses only.
 
     Differences of order 6 over 1/256 of the length, one-sided near the ends; the path is not evaluated
     outside its length. Turns between neighbours are rotation vectors from the pose at s, whose second
     derivative there is that of the angular velocity.
 
     Args:
-        matrices_at: poses at places, shape (k,) to (k, 4, 4); six times smooth.
-        s: places, shape (k,), in [0, length].
+        matrices_at: poses at path parameters, shape (k,) to (k, 4, 4); six times smooth.
+        s: path parameters, shape (k,), in [0, length].
         length: of the path.
     """
     step = length / _FINENESS

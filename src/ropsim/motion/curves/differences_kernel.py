@@ -14,7 +14,7 @@ def row_differences(rows: Array2, inner: Array2, sided: Array3, out: Array3) -> 
     """Write the first and second derivative of every row, by the number of the row.
 
     Args:
-        rows: at equidistant places, shape (k, n).
+        rows: at equidistant path parameters, shape (k, n).
         inner: weights of the seven rows around a row, shape (2, 7).
         sided: weights of the first rows at each of them, shape (2, SIDED, SIDED); the last have them, too.
         out: where the derivatives go, shape (2, k, n).
@@ -34,13 +34,13 @@ def rows_with_error(
 ) -> None:
     """Write the derivatives of every row, and how far the path through every second row passes the others.
 
-    Half way from one row to the next a quintic is the mean of both rows with 5/32 of the difference of their
+    Midway from one row to the next a quintic is the mean of both rows with 5/32 of the difference of their
     first derivatives and 1/64 of the sum of the second ones.
 
     Args:
-        rows: at equidistant places, shape (2·m + 1, n).
+        rows: at equidistant path parameters, shape (2·m + 1, n).
         inner: weights as for `row_differences`.
-        sided: likewise; m + 1 is no less than SIDED.
+        sided: of the same shape; m + 1 is no less than SIDED.
         out: where the derivatives go, shape (2, 2·m + 1, n).
         coarse: where every second row goes, shape (m + 1, n).
         coarse_out: where its derivatives go, shape (2, m + 1, n).

@@ -1,4 +1,4 @@
-"""Grid of a path of the tool: places that are close where it changes quickly."""
+"""Grid of a path of the tool: path parameters, dense where it changes quickly."""
 
 from typing import Protocol, runtime_checkable
 
@@ -11,7 +11,7 @@ _EVEN = 32
 """Cells of a path of which nothing is known."""
 
 _NEAR = 1e-6
-"""Share of a section below which a place is its start or its end."""
+"""Share of a section below which a path parameter is its start or its end."""
 
 
 @runtime_checkable
@@ -19,10 +19,10 @@ class Gridded(Protocol):
     """A path of the tool that defines where it changes quickly; others are sampled evenly."""
 
     def own_grid(self) -> Array:
-        """Return places from start to end in rising order, among them all at which a third derivative jumps.
+        """Return rising path parameters from start to end, with all at which a third derivative jumps.
 
         Returns:
-            the places in the unit of the path, shape (m,).
+            the path parameters in the unit of the path, shape (m,).
         """
         ...
 
@@ -33,11 +33,11 @@ def grid(path: ToolPath) -> Array:
 
 
 def grid_of_part(path: ToolPath, begin: float, length: float) -> Array:
-    """Return the grid of a part of a path, in places of the part, shape (m,).
+    """Return the grid of a part of a path, in path parameters of the part, shape (m,).
 
     Args:
         path: the whole path.
-        begin: place on it at which the part begins, in its unit.
+        begin: path parameter on it at which the part begins, in its unit.
         length: of the part, in the same unit.
     """
     whole = grid(path) - begin

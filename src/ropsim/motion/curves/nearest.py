@@ -9,28 +9,28 @@ from ropsim.spatial import Array
 
 IntArray = npt.NDArray[np.int64]
 
-_BLOCK = 64  # grid places that share one ball
+_BLOCK = 64  # grid points that share one ball
 _STEPS = 12  # of Newton's method at most; it starts within one step of the grid and doubles its digits
-_CLOSE = 1e-9  # steps of the grid; the distance is flat at the nearest place, so its error is far smaller
-_APART = 3  # steps of the grid beyond which a place is of another part of the curve that comes near
+_CLOSE = 1e-9  # steps of the grid; the distance is flat at the nearest point, so its error is far smaller
+_APART = 3  # steps of the grid beyond which a point is of another part of the curve that comes near
 _PAIRS = 2**18  # of points and balls that are compared at a time
 
 
 def distances(points: Array, curve: Callable[[Array], tuple[Array, Array, Array]], grid: Array) -> Array:
     """Return how far points are from a curve.
 
-    The nearest place of the grid is found exactly, and the nearest one of another part of the curve: where
-    that crosses or closes itself, the nearer place of the grid may be on the farther part. The grid is
+    The nearest point of the grid is found exactly, and the nearest one of another part of the curve: where
+    that crosses or closes itself, the nearer point of the grid may be on the farther part. The grid is
     divided into blocks, a ball around each bounds how near it can be, and blocks are searched in the order of
-    that bound. From both places Newton's method goes to where the offset is normal to the curve, or to an
+    that bound. From both points Newton's method goes to where the offset is normal to the curve, or to an
     end; the nearer of both counts.
 
     Args:
         points: shape (k, 3) [m].
         curve: positions [m] and their first and second derivatives at parameters, shape (k,) to (k, 3) each.
-        grid: growing parameters, shape (m,), m >= 2, so fine that the nearest place is a neighbour of the
+        grid: growing parameters, shape (m,), m >= 2, so fine that the nearest point is a neighbour of the
             nearest one of the grid: between two of them the curve turns by less than half a right angle. Of
-            places that are equally far within that (points near the centre of an arc) any one may be found,
+            points that are equally far within that (points near the centre of an arc) any one may be found,
             and of more than two parts of the curve that come within a step of each other.
 
     Returns:
@@ -48,7 +48,7 @@ def distances(points: Array, curve: Callable[[Array], tuple[Array, Array, Array]
 def _down_from(
     near: IntArray, points: Array, curve: Callable[[Array], tuple[Array, Array, Array]], grid: Array
 ) -> Array:
-    """Return the distance of each point at the foot of the slope on which a place of the grid lies, (k,)."""
+    """Return the distance of each point at the foot of the slope on which a point of the grid lies, (k,)."""
     t = grid[near]
     low, high = grid[np.maximum(near - 1, 0)], grid[np.minimum(near + 1, len(grid) - 1)]
     best = np.full(len(points), np.inf)
@@ -66,9 +66,9 @@ def _down_from(
 
 
 def _nearest(points: Array, positions: Array, barred: IntArray) -> IntArray:
-    """Return which of the places (m, 3) is nearest to each point (k, 3), shape (k,).
+    """Return which of the points (m, 3) is nearest to each point (k, 3), shape (k,).
 
-    Grid places next to the barred one of a point, shape (k,), do not count.
+    Grid points next to the barred one of a point, shape (k,), do not count.
     """
     starts = np.arange(0, len(positions), _BLOCK)
     sizes = np.diff(starts, append=len(positions))
@@ -85,7 +85,7 @@ def _nearest(points: Array, positions: Array, barred: IntArray) -> IntArray:
 def _nearest_in_blocks(
     points: Array, positions: Array, centres: Array, radii: Array, barred: IntArray
 ) -> IntArray:
-    bounds = _lengths(points[:, None] - centres) - radii  # no place of the block is nearer
+    bounds = _lengths(points[:, None] - centres) - radii  # no point of the block is nearer
     order = np.argsort(bounds, axis=1)
     found, best = np.zeros(len(points), np.int64), np.full(len(points), np.inf)
     open_points = np.arange(len(points))

@@ -10,7 +10,7 @@ def segment_distances(segments: Array2, spans: Array2, points: Array2, distances
     """Write the distances of points from the segments to which they belong.
 
     Args:
-        segments: start and way of each [m], shape (m, 6).
+        segments: start and displacement of each [m], shape (m, 6).
         spans: numbers of the first point that belongs to each of them, and behind the last, shape (m, 2).
         points: in the frame of the segments [m], shape (k, 3).
         distances: output [m], shape (k,); entries of other points stay unchanged.

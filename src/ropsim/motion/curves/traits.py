@@ -21,7 +21,7 @@ def constant_derivatives(path: Path) -> Array | None:
 
 
 def parameter_is_arc_length(path: ToolPath) -> bool | None:
-    """Return whether the path parameter is the way of the TCP [m], not an angle; None for another unit."""
+    """Return whether the path parameter is an arc length [m], not an angle; None for another unit."""
     if not _is_own(path):
         return False
     found: bool | None = getattr(path, "moves", False)
@@ -29,7 +29,7 @@ def parameter_is_arc_length(path: ToolPath) -> bool | None:
 
 
 def has_straight_tcp(path: ToolPath | None) -> bool:
-    """Return whether the TCP goes on one straight line and the path parameter is its way."""
+    """Return whether the TCP goes on one straight line and the path parameter is its arc length."""
     return _is_own(path) and bool(getattr(path, "has_straight_tcp", False))
 
 

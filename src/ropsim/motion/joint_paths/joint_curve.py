@@ -1,4 +1,4 @@
-"""Joint curve: joints along the way of something else, evenly or smoothly from one slope to another."""
+"""Joint curve: joints along another path, evenly or smoothly from one slope to another."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ class JointCurve:
     """q(s), each coordinate a polynomial of degree five in s / length.
 
     Attributes:
-        length: of the way, in its own unit; positive.
+        length: of the path, in its own unit; positive.
         coefficients: of (s / length)⁰ to (s / length)⁵ [rad | m], shape (6, n).
     """
 
@@ -23,7 +23,7 @@ class JointCurve:
         object.__setattr__(self, "coefficients", frozen(self.coefficients))
 
     def joints(self, s: Array) -> JointPoints:
-        """Return the joints and their derivatives at places s, shape (k,)."""
+        """Return the joints and their derivatives at path parameters s, shape (k,)."""
         per_unit = 1.0 / self.length
         rows = powers(s * per_unit) @ with_derivatives(self.coefficients)
         q, d1, d2 = np.split(rows, 3, axis=1)
@@ -31,11 +31,11 @@ class JointCurve:
 
 
 def evenly(length: float, q_start: Array, q_end: Array) -> JointCurve:
-    """Return the way on which joints move by the same amount at every place.
+    """Return the path on which joints move by the same amount at every path parameter.
 
     Args:
-        length: of the way, positive.
-        q_start: at place 0 [rad | m], shape (n,).
+        length: of the path, positive.
+        q_start: at path parameter 0 [rad | m], shape (n,).
         q_end: at the end [rad | m], shape (n,).
     """
     coefficients = np.zeros((6, len(q_start)))
@@ -44,12 +44,12 @@ def evenly(length: float, q_start: Array, q_end: Array) -> JointCurve:
 
 
 def smoothly(length: float, start: JointPoints, end: JointPoints) -> JointCurve:
-    """Return the way between two others: it has their values, slopes and bends at its ends.
+    """Return the path between two others: it has their values, slopes and bends at its ends.
 
     Args:
-        length: of the way, positive.
-        start: joints and derivatives at the place at which the way before is left, one row.
-        end: the same at the place at which the way behind is entered.
+        length: of the path, positive.
+        start: joints and derivatives at the path parameter at which the path before is left, one row.
+        end: the same at the path parameter at which the path behind is entered.
     """
     by_share = length ** np.arange(3.0)[:, np.newaxis]
     ends = (np.vstack((one.q, one.d1, one.d2)) * by_share for one in (start, end))

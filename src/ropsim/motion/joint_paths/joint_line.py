@@ -1,4 +1,4 @@
-"""Joint line: all joints on a straight way in joint space."""
+"""Joint line: all joints on a straight path in joint space."""
 
 from dataclasses import field
 
@@ -36,7 +36,7 @@ class JointLine:
         return self.q_end - self.q_start
 
     def joints(self, s: Array) -> JointPoints:
-        """Return the joints and their derivatives at places s, shape (k,)."""
+        """Return the joints and their derivatives at path parameters s, shape (k,)."""
         out = np.empty((3, len(s), len(self.q_start)))
         line_points(self.q_start, self.q_end, np.ascontiguousarray(s, dtype=np.float64), out)
         return JointPoints(out[0], out[1], out[2])

@@ -1,4 +1,4 @@
-"""Rows of a straight way in joint space, in a loop that numba compiles."""
+"""Rows of a straight path in joint space, in a loop that numba compiles."""
 
 from ropsim.codegen import Array1, Array2, Array3, columns, kernel
 from ropsim.spatial import Array
@@ -6,12 +6,12 @@ from ropsim.spatial import Array
 
 @kernel
 def line_points(q_start: Array1, q_end: Array1, s: Array1, out: Array3) -> None:
-    """Write coordinates and their first two derivatives at places from 0 to 1.
+    """Write coordinates and their first two derivatives at path parameters from 0 to 1.
 
     Args:
-        q_start: joint coordinates at place 0 [rad | m], shape (n,).
-        q_end: at place 1 [rad | m], shape (n,).
-        s: places, shape (k,).
+        q_start: joint coordinates at path parameter 0 [rad | m], shape (n,).
+        q_end: at path parameter 1 [rad | m], shape (n,).
+        s: path parameters, shape (k,).
         out: where the rows go, shape (3, k, n).
     """
     for k in range(s.shape[0]):
@@ -25,9 +25,9 @@ def line_in_time(
     """Write coordinates and derivatives by time at times of a motion, see `traced_in_time`.
 
     Args:
-        q_start: joint coordinates at place 0 [rad | m], shape (n,).
-        q_end: at place 1 [rad | m], shape (n,).
-        law: places, speeds and accelerations in its rows 1 to 3, shape (4 or more, m).
+        q_start: joint coordinates at path parameter 0 [rad | m], shape (n,).
+        q_end: at path parameter 1 [rad | m], shape (n,).
+        law: path parameters, speeds and accelerations in its rows 1 to 3, shape (4 or more, m).
         first: number of the first time.
         until: number behind that of the last one.
         at: row of the motion for the time 0 of the law.

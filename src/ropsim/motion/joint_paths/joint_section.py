@@ -8,12 +8,12 @@ from ropsim.spatial import Array, record
 
 @record
 class JointSection:
-    """The places `begin` to `end` of a path of the joints, counted from 0.
+    """The path parameters `begin` to `end` of a path of the joints, counted from 0.
 
     Attributes:
         path: of the joints.
-        begin: its place at the start of the section.
-        end: its place at the end of the section, beyond `begin`.
+        begin: its path parameter at the start of the section.
+        end: its path parameter at the end of the section, beyond `begin`.
     """
 
     path: JointPath
@@ -31,7 +31,7 @@ class JointSection:
         return constant_derivatives(self.path)
 
     def joints(self, s: Array) -> JointPoints:
-        """Return the joints and their derivatives at places s, shape (k,)."""
+        """Return the joints and their derivatives at path parameters s, shape (k,)."""
         return self.path.joints(s + self.begin)
 
     def path_rows(self, begin: float) -> PathRows | None:

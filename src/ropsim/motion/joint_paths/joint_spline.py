@@ -1,4 +1,4 @@
-"""Joint spline: joints along the way of something else, through given values at some of its places."""
+"""Joint spline: joints along another path, through given values at some of its path parameters."""
 
 import numpy as np
 
@@ -10,10 +10,10 @@ from ropsim.spatial import Array, frozen, record
 
 @record
 class JointSpline:
-    """q(s), between each two places a polynomial of degree five in the share of the way between them.
+    """q(s), between each two knots a polynomial of degree five in the share of the interval.
 
     Attributes:
-        knots: rising, from 0 to the length of the way in its own unit, shape (k,), k >= 2.
+        knots: rising, from 0 to the length of the path in its own unit, shape (k,), k >= 2.
         coefficients: of the powers 0 to 5 of the share [rad | m], shape (k - 1, 6, n).
     """
 
@@ -26,11 +26,11 @@ class JointSpline:
 
     @property
     def length(self) -> float:
-        """Return the length of the way."""
+        """Return the length of the path."""
         return float(self.knots[-1])
 
     def joints(self, s: Array) -> JointPoints:
-        """Return the joints and their derivatives at places s, shape (k,)."""
+        """Return the joints and their derivatives at path parameters s, shape (k,)."""
         part = np.clip(np.searchsorted(self.knots, s, side="right") - 1, 0, len(self.coefficients) - 1)
         per_unit = (1.0 / np.diff(self.knots))[part, np.newaxis]
         shares = powers((s - self.knots[part]) * per_unit[:, 0])
@@ -40,7 +40,7 @@ class JointSpline:
 
 
 def monotone(knots: Array, q: Array) -> JointSpline:
-    """Return the way through values, twice continuously differentiable, that reverses only at them.
+    """Return the path through values, twice continuously differentiable, that reverses only at them.
 
     Slopes m and bends c at the knots come from the natural cubic spline, made smaller where a part would
     otherwise leave the range between its two values. A part of the length h and the mean slope D > 0 never

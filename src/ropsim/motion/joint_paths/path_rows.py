@@ -15,13 +15,13 @@ class PathRows(NamedTuple):
 
     Attributes:
         kind: one of the three.
-        begin: place of that path at which this one begins, in its unit.
+        begin: path parameter of that path at which this one begins, in its unit.
         length: of that path, in its unit.
         size: number of its rows k.
-        rows: of n numbers, one behind the other in flat arrays: joint coordinates [rad | m] of all places, or
-            of both ends; behind these, of profiles, the three rows of their shapes.
-        slopes: first and second derivatives at all places by the number of the row, shape (2, k, n); None of
-            paths that are not traced.
+        rows: of n numbers, one behind the other in flat arrays: joint coordinates [rad | m] of all path
+            parameters, or of both ends; behind these, of profiles, the three rows of their shapes.
+        slopes: first and second derivatives at all path parameters by the number of the row, shape (2, k, n);
+            None of paths that are not traced.
     """
 
     kind: int
@@ -37,7 +37,7 @@ def rows_of_path(path: JointPath, begin: float = 0.0) -> PathRows | None:
 
     Args:
         path: of the joints.
-        begin: the place, in its unit.
+        begin: the path parameter, in its unit.
     """
     result = getattr(path, "path_rows", None)
     found = result(begin) if result else None

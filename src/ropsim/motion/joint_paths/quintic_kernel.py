@@ -11,14 +11,14 @@ COEFFICIENTS = 13
 def traced_points(
     rows: Array2, d1: Array2, d2: Array2, per_unit: float, s: Array1, work: Array2, out: Array3
 ) -> None:
-    """Write coordinates and derivatives by the place s between rows (quintic Hermite interpolation).
+    """Write coordinates and derivatives by the path parameter s between rows (quintic Hermite interpolation).
 
     Args:
-        rows: at equidistant places from 0 on, shape (k, n).
+        rows: at equidistant path parameters from 0 on, shape (k, n).
         d1: first derivatives by the number of the row, shape (k, n).
         d2: second ones.
         per_unit: rows in one unit of s.
-        s: places, best in order, shape (m,).
+        s: path parameters, best in order, shape (m,).
         work: to work in, shape (COEFFICIENTS, n).
         out: where all goes, shape (3, m, n).
     """
@@ -47,14 +47,15 @@ def traced_in_time(
 ) -> None:
     """Write coordinates and derivatives by time at times of a motion.
 
-    With the place s, its speed v and acceleration a, q' = dq/ds·v and q'' = d²q/ds²·v² + dq/ds·a.
+    With the path parameter s, its speed v and acceleration a, q' = dq/ds·v and q'' = d²q/ds²·v² + dq/ds·a.
 
     Args:
         rows: as for `traced_points`.
         d1: see there.
         d2: see there.
         per_unit: see there.
-        law: places, best in order, speeds and accelerations in its rows 1 to 3, shape (4 or more, m).
+        law: path parameters, best in order, speeds and accelerations in its rows 1 to 3, shape (4 or more,
+            m).
         first: number of the first time.
         until: number behind that of the last one.
         work: to work in, shape (COEFFICIENTS, n).

@@ -1,4 +1,4 @@
-"""Refined path: a way of the joints, short parts of which are known more exactly than the rest."""
+"""Refined path: a path of the joints, short parts of which are known more exactly than the rest."""
 
 from dataclasses import field
 
@@ -19,7 +19,7 @@ derivatives."""
 
 @record
 class Refined:
-    """A path of the joints in which others take the place of some of its parts.
+    """A path of the joints in which others replace some of its parts.
 
     Where a part begins and ends, both paths have nearly the same values and derivatives: the maker of one
     guarantees that. Their difference is added to the part there, and fades out with a polynomial of fifth
@@ -27,7 +27,7 @@ class Refined:
 
     Attributes:
         whole: the path.
-        begins: its places at which the parts begin, rising, in its unit, shape (p,).
+        begins: its path parameters at which the parts begin, rising, in its unit, shape (p,).
         parts: sections that replace the path there; each ends before the next one begins.
     """
 
@@ -51,7 +51,7 @@ class Refined:
         return self.whole.length
 
     def joints(self, s: Array) -> JointPoints:
-        """Return the joints and their derivatives at places s, shape (k,)."""
+        """Return the joints and their derivatives at path parameters s, shape (k,)."""
         points = self.whole.joints(s)
         number = np.searchsorted(self.begins, s, "right") - 1
         inside = (number >= 0) & (s <= self._ends[np.maximum(number, 0)])
@@ -100,7 +100,7 @@ def joins(whole: JointPath, begin: float, part: JointPath, step: float, within: 
 
     Args:
         whole: the path.
-        begin: its place at which the part begins, in its unit.
+        begin: its path parameter at which the part begins, in its unit.
         part: that is to count there.
         step: from row to row of the path, in its unit.
         within: [rad | m].

@@ -1,4 +1,4 @@
-"""Traced path: joint coordinates at equidistant places of a path, made smooth between them."""
+"""Traced path: joint coordinates at equidistant path parameters of a path, made smooth between them."""
 
 from dataclasses import field
 
@@ -23,8 +23,8 @@ class SampledPath:
     distance between rows, and second derivatives to its fourth.
 
     Attributes:
-        length: of the way, in its own unit; positive.
-        q: joint coordinates [rad | m] at the places 0 to `length`, shape (k, n), k >= 2.
+        length: of the path, in its own unit; positive.
+        q: joint coordinates [rad | m] at the path parameters 0 to `length`, shape (k, n), k >= 2.
         derivatives: first and second ones at the rows by the number of the row, shape (2, k, n);
             found from these where they are not given.
     """
@@ -46,7 +46,7 @@ class SampledPath:
         return self.q[-1, :]
 
     def joints(self, s: Array) -> JointPoints:
-        """Return the joints and their derivatives at places s, shape (k,)."""
+        """Return the joints and their derivatives at path parameters s, shape (k,)."""
         count, n = self.q.shape
         work, out = np.empty((COEFFICIENTS, n)), np.empty((3, len(s), n))
         per_unit = (count - 1) / self.length
@@ -63,8 +63,8 @@ def sampled_with_error(length: float, q: Array) -> tuple[SampledPath, Array | No
     """Return the path through rows, and how far that through every second one passes the others [rad | m].
 
     Args:
-        length: of the way, above 0.
-        q: joint coordinates at equidistant places, shape (k, n), k >= 2.
+        length: of the path, above 0.
+        q: joint coordinates at equidistant path parameters, shape (k, n), k >= 2.
 
     Returns:
         the path and the greatest distance of a joint at each row between, shape (m,) for k = 2·m + 1 rows;

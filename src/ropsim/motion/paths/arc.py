@@ -41,12 +41,12 @@ class Arc:
 
     Attributes:
         start: first point in the reference frame [m], shape (3,).
-        tangent: unit vector along the way at the start, shape (3,).
+        tangent: unit vector along the path at the start, shape (3,).
         inward: unit vector from the start to the centre, shape (3,).
         radius: [m].
-        angle: of the way about the centre [rad]; positive, may exceed 2π.
-        turn: orientation over the share of the way.
-        length: of the way [m].
+        angle: of the path about the centre [rad]; positive, may exceed 2π.
+        turn: orientation over the share of the path.
+        length: of the path [m].
     """
 
     start: Array
@@ -64,11 +64,11 @@ class Arc:
 
     @property
     def moves(self) -> bool:
-        """Return that the TCP moves: the path parameter is its way."""
+        """Return that the TCP moves: the path parameter is its arc length."""
         return True
 
     def tool(self, s: Array) -> ToolPoints:
-        """Return the tool and its derivatives at places s, shape (k,)."""
+        """Return the tool and its derivatives at path parameters s, shape (k,)."""
         share = 1.0 / self.length
         angles = s / self.radius
         turned = self.turn.at(s * share)
@@ -85,11 +85,11 @@ class Arc:
         return ToolPoints(matrices, d1, d2)
 
     def positions(self, s: Array) -> Array:
-        """Return where the TCP is at places s, shape (k,) to (k, 3) [m]."""
+        """Return where the TCP is at path parameters s, shape (k,) to (k, 3) [m]."""
         return self._at(s / self.radius)
 
     def distance(self, points: Array) -> Array:
-        """Return how far points, shape (k, 3) [m], are from the way of the TCP, shape (k,) [m]."""
+        """Return how far points, shape (k, 3) [m], are from the path of the TCP, shape (k,) [m]."""
         offsets = points - self.start
         along, inward = offsets @ self.tangent, offsets @ self.inward - self.radius  # from the centre
         height = offsets @ _cross(self.tangent, self.inward)
@@ -120,9 +120,9 @@ def arc(
     The three points determine circle and sense; the orientation at the via point does not count.
 
     Args:
-        X_start: at place 0 in the reference frame.
+        X_start: at path parameter 0 in the reference frame.
         X_via: on the way; only its position.
-        X_end: at the end; with an angle a third point of the circle, and the orientation where the way ends.
+        X_end: at the end; with an angle a third point of the circle, and the orientation where the path ends.
         orientation: orientation mode; with the arc it does not take the orientation of the end.
         mode: how the tool turns to the orientation of the end.
         angle: how far to go about the centre [rad], over the end and round again; as far as the end if None.

@@ -1,4 +1,4 @@
-"""Arc length: the way along a curve of polynomials, and where on it a way ends."""
+"""Arc length along a curve of polynomials, and its inverse."""
 
 from functools import cache
 
@@ -14,13 +14,13 @@ _UNEVEN = 0.45  # least speed in a segment by its greatest; below, steps are fou
 
 @record
 class ArcLength:
-    """The parameter t of each segment, from 0 to 1, over the way s along all of them.
+    """The parameter t of each segment, from 0 to 1, over the arc length s along all of them.
 
-    Between steps of t the way is integrated; its inverse is interpolated by polynomials of degree five with
-    the exact derivatives dt/ds = 1 / |p'| and d²t/ds² = -p'·p'' / |p'|⁴ at both ends of every step.
+    Between steps of t the arc length is integrated; its inverse is interpolated by polynomials of degree five
+    with the exact derivatives dt/ds = 1 / |p'| and d²t/ds² = -p'·p'' / |p'|⁴ at both ends of every step.
 
     Attributes:
-        ends: way at the end of each step, after that at the start, shape (m + 1,) [m].
+        ends: arc length at the end of each step, after that at the start, shape (m + 1,) [m].
         inverse: coefficients of t over the share of the step, shape (m, 6).
         steps: of each segment.
     """
@@ -34,7 +34,7 @@ class ArcLength:
 
     @property
     def length(self) -> float:
-        """Return the way along the whole curve [m]."""
+        """Return the arc length along the whole curve [m]."""
         return float(self.ends[-1])
 
 
@@ -60,7 +60,7 @@ def arc_length(coefficients: Array, steps: int, least: Array) -> ArcLength | Non
 
 
 def arc_length_in_steps(coefficients: Array, steps: int) -> ArcLength:
-    """Return the way along a curve that nowhere stands, with as many steps of each segment."""
+    """Return the arc length of a curve that nowhere stands, with as many steps of each segment."""
     count = len(coefficients) * steps
     ends, inverse = np.empty(count + 1), np.empty((count, 6))
     arc_length_of_steps(coefficients, steps, *quadrature(), np.empty(3 * steps + 3), ends, inverse)

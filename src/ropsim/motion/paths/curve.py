@@ -1,4 +1,4 @@
-"""Curve: a way of the tool through polynomials of position and orientation, over its arc length."""
+"""Curve: a path of the tool through polynomials of position and orientation, over its arc length."""
 
 import math
 
@@ -11,8 +11,8 @@ from ropsim.motion.curves.rotation_vector import series
 from ropsim.motion.paths.arc_length import ArcLength
 from ropsim.spatial import Array, frozen, record
 
-_EVERY = 4  # steps of the arc length from one place of the grid to the next
-_GRID = 16, 512  # least and most steps of each segment in the search for the nearest place
+_EVERY = 4  # steps of the arc length from one path parameter of the grid to the next
+_GRID = 16, 512  # least and most steps of each segment in the search for the nearest path parameter
 _STEP = 1e-3  # [m] of that search between, so that sections that come near each other are distinguished
 _MOST_POINTS = 200_000  # at most, of all segments together
 
@@ -43,21 +43,21 @@ class Curve:
 
     @property
     def moves(self) -> bool:
-        """Return that the TCP moves: the path parameter is its way."""
+        """Return that the TCP moves: the path parameter is its arc length."""
         return True
 
     @property
     def length(self) -> float:
-        """Return the way of the TCP [m]."""
+        """Return the arc length of the TCP path [m]."""
         return self.arc_length.length
 
     @property
     def knots(self) -> Array:
-        """Return the places at which segments begin and end [m], rising from 0, shape (c + 1,)."""
+        """Return the path parameters at which segments begin and end [m], rising from 0, shape (c + 1,)."""
         return self.arc_length.ends[:: self.arc_length.steps]
 
     def own_grid(self) -> Array:
-        """Return places that are even in the parameter of the polynomials, shape (m,).
+        """Return path parameters that are even in the parameter of the polynomials, shape (m,).
 
         So they are close where the curve nearly reverses, and four times as close on curves with segments of
         uneven speed.
@@ -78,18 +78,18 @@ class Curve:
         )
 
     def tool(self, s: Array) -> ToolPoints:
-        """Return the tool and its derivatives at places s, shape (k,)."""
+        """Return the tool and its derivatives at path parameters s, shape (k,)."""
         points = ToolPoints(np.empty((len(s), 4, 4)), np.empty((len(s), 6)), np.empty((len(s), 6)))
         parameters = np.ascontiguousarray(s)
         curve_points(*self.numbers, parameters, points.matrices, points.d1, points.d2)
         return points
 
     def positions(self, s: Array) -> Array:
-        """Return where the TCP is at places s, shape (k,) to (k, 3) [m]."""
+        """Return where the TCP is at path parameters s, shape (k,) to (k, 3) [m]."""
         return self.tool(s).matrices[:, :3, 3]
 
     def distance(self, points: Array) -> Array:
-        """Return how far points, shape (k, 3) [m], are from the way of the TCP, shape (k,) [m]."""
+        """Return how far points, shape (k, 3) [m], are from the path of the TCP, shape (k,) [m]."""
         count = len(self.middles)
         wanted = min(math.ceil(self.length / count / _STEP), _MOST_POINTS // count)
         steps = min(max(wanted, _GRID[0]), _GRID[1])

@@ -1,4 +1,4 @@
-"""Line: the TCP on a straight way while the tool turns; or the tool turning about a TCP that stands."""
+"""Line: the TCP on a straight path while the tool turns; or the tool turning about a TCP that stands."""
 
 from collections.abc import Sequence
 from dataclasses import field
@@ -29,12 +29,12 @@ class Line:
     At its end it is X_end to the bit, for any start: so later moves do not depend on it.
 
     Attributes:
-        X_start: at place 0 in the reference frame.
+        X_start: at path parameter 0 in the reference frame.
         X_end: at the end.
         mode: how the tool turns.
         numbers: derived numbers, see `line_kernel`.
-        moves: whether the TCP moves, so that the place is its way.
-        length: of the way [m]; where the TCP stands (moves less than `STANDS`) the size of the turn [rad];
+        moves: whether the TCP moves, so that the path parameter is its arc length.
+        length: of the path [m]; where the TCP stands (moves less than `STANDS`) the size of the turn [rad];
             0 where the tool neither moves nor turns.
     """
 
@@ -57,7 +57,7 @@ class Line:
 
     @property
     def displacement(self) -> Array:
-        """Return the way from start to end [m], shape (3,)."""
+        """Return the displacement from start to end [m], shape (3,)."""
         return self.numbers[DISPLACEMENT : DISPLACEMENT + 3]
 
     @property
@@ -84,7 +84,7 @@ class Line:
         return self.moves
 
     def tool(self, s: Array) -> ToolPoints:
-        """Return the tool and its derivatives at places s, shape (k,)."""
+        """Return the tool and its derivatives at path parameters s, shape (k,)."""
         count = len(s)
         points = ToolPoints(np.empty((count, 4, 4)), np.empty((count, 6)), np.empty((count, 6)))
         parameters = np.ascontiguousarray(s, dtype=np.float64)
@@ -92,7 +92,7 @@ class Line:
         return points
 
     def positions(self, s: Array) -> Array:
-        """Return where the TCP is at places s, shape (k,) to (k, 3) [m]."""
+        """Return where the TCP is at path parameters s, shape (k,) to (k, 3) [m]."""
         return self._between(s / self.length if self.length else s * 0.0)
 
     def distance(self, points: Array) -> Array:

@@ -17,9 +17,10 @@ ROUNDING = 1e-14
 START, END, DISPLACEMENT, SWINGS, VELOCITY, R_END, AXIS, ANGLE, ROLL, LINE_LENGTH, MOVES, LINE_SIZE = (
     0, 3, 6, 9, 36, 39, 48, 51, 52, 53, 54, 55,
 )  # fmt: skip
-"""Where the numbers of a line begin: positions of both ends and the way between them [m], R_start·(I, K, K²)
-by rows with K the cross product matrix of the axis, the angular velocity of the swing by the share of the way
-[rad], R_end by rows, the axis in the frame of the start, angle and roll [rad], length, 1 where the TCP moves.
+"""Where the numbers of a line begin: positions of both ends and the displacement between them [m], then
+R_start·(I, K, K²) by rows with K the cross product matrix of the axis, the angular velocity of the swing by
+the share of the path [rad], R_end by rows, the axis in the frame of the start, angle and roll [rad], length,
+1 where the TCP moves.
 """
 
 
@@ -65,11 +66,11 @@ def line_numbers(
 
 @kernel
 def straight_points(numbers: Array1, s: Array1, matrices: Array3, d1: Array2, d2: Array2) -> None:
-    """Write the tool and its derivatives at places of a line; at its end it is that of the end to the bit.
+    """Write the tool and its derivatives at path parameters of a line; the end pose is exact to the bit.
 
     Args:
         numbers: of the line.
-        s: places, shape (k,).
+        s: path parameters, shape (k,).
         matrices: where the poses go, shape (k, 4, 4).
         d1: where first derivatives go, shape (k, 6).
         d2: where second derivatives go, shape (k, 6).

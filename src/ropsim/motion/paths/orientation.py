@@ -1,4 +1,4 @@
-"""How the tool turns along a path: orientation over the share r of the way, with its derivatives."""
+"""How the tool turns along a path: orientation over the share r of the path, with its derivatives."""
 
 from dataclasses import field
 
@@ -12,7 +12,7 @@ from ropsim.spatial import Array, Pose, frozen, record
 
 @record
 class TurnPoints:
-    """The orientation of the tool at k shares of the way, in the reference frame.
+    """The orientation of the tool at k shares of the path, in the reference frame.
 
     Attributes:
         rotations: shape (k, 3, 3).
@@ -27,7 +27,7 @@ class TurnPoints:
 
 @record
 class ToolTurn:
-    """R(r) = R_start·Rot(axis, r·angle)·Rot(z, r·roll) for the share r of the way, from 0 to 1.
+    """R(r) = R_start·Rot(axis, r·angle)·Rot(z, r·roll) for the share r of the path, from 0 to 1.
 
     A rotation is linear in u(φ) = (1, sin φ, 1 - cos φ) (Rodrigues' formula); its coefficients are computed
     once.

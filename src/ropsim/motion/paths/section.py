@@ -11,14 +11,14 @@ from ropsim.spatial import Array, record
 
 @record
 class ToolSection:
-    """The places `begin` to `end` of a path of the tool, counted from 0.
+    """The path parameters `begin` to `end` of a path of the tool, counted from 0.
 
     Attributes:
         path: of the tool.
-        begin: its place at the start of the section.
-        end: its place at the end of the section, beyond `begin`.
-        grid: into how many steps the search for the nearest place divides it; between two steps the way must
-            not turn by more than about a right angle.
+        begin: its path parameter at the start of the section.
+        end: its path parameter at the end of the section, beyond `begin`.
+        grid: into how many steps the search for the nearest path parameter divides it; between two steps the
+            path must not turn by more than about a right angle.
     """
 
     path: ToolPath
@@ -41,15 +41,15 @@ class ToolSection:
         return grid_of_part(self.path, self.begin, self.length)
 
     def tool(self, s: Array) -> ToolPoints:
-        """Return the tool and its derivatives at places s, shape (k,)."""
+        """Return the tool and its derivatives at path parameters s, shape (k,)."""
         return self.path.tool(s + self.begin)
 
     def positions(self, s: Array) -> Array:
-        """Return where the TCP is at places s, shape (k,) to (k, 3) [m]."""
+        """Return where the TCP is at path parameters s, shape (k,) to (k, 3) [m]."""
         return self.path.positions(s + self.begin)
 
     def distance(self, points: Array) -> Array:
-        """Return how far points, shape (k, 3) [m], are from the way of the TCP, shape (k,) [m]."""
+        """Return how far points, shape (k, 3) [m], are from the path of the TCP, shape (k,) [m]."""
         return distances(points, self._curve, np.linspace(self.begin, self.end, self.grid + 1))
 
     def _curve(self, s: Array) -> tuple[Array, Array, Array]:

@@ -29,7 +29,7 @@ class Seen:
         return grid(self.path)
 
     def tool(self, s: Array) -> ToolPoints:
-        """Return the tool and its derivatives at places s, shape (k,)."""
+        """Return the tool and its derivatives at path parameters s, shape (k,)."""
         points, R = self.path.tool(s), self.X_RP.rotation()
         turned = (
             np.asarray((rows.reshape(-1, 2, 3) @ R.T).reshape(-1, 6)) for rows in (points.d1, points.d2)
@@ -37,9 +37,9 @@ class Seen:
         return ToolPoints(self.X_RP.matrix() @ points.matrices, *turned)
 
     def positions(self, s: Array) -> Array:
-        """Return where the TCP is at places s, shape (k,) to (k, 3) [m]."""
+        """Return where the TCP is at path parameters s, shape (k,) to (k, 3) [m]."""
         return np.asarray(self.path.positions(s) @ self.X_RP.rotation().T + self.X_RP.position)
 
     def distance(self, points: Array) -> Array:
-        """Return how far points, shape (k, 3) [m], are from the way of the TCP, shape (k,) [m]."""
+        """Return how far points, shape (k, 3) [m], are from the path of the TCP, shape (k,) [m]."""
         return self.path.distance((points - self.X_RP.position) @ self.X_RP.rotation())

@@ -1,4 +1,4 @@
-"""Spline: a way of the tool through points, smooth in position and orientation up to second derivatives."""
+"""Spline: a path of the tool through points, smooth in position and orientation up to second derivatives."""
 
 from collections.abc import Sequence
 from enum import Enum
@@ -29,13 +29,13 @@ class SplineFault(Enum):
 
 
 def spline(poses: Sequence[Pose]) -> Curve | SplineFault:
-    """Return the way through poses, or why there is none; neighbours that are equal count as one.
+    """Return the path through poses, or why there is none; neighbours that are equal count as one.
 
     Positions are the natural cubic spline over the chords between the points. For the orientation the turns
     from point to point, each a rotation vector in the tool frame, are laid end to end; the natural cubic
     spline through these sums says with which angular velocity and acceleration the tool passes each point.
     Between two points the rotation vector from the middle orientation is the polynomial of degree five that
-    has orientation, angular velocity and angular acceleration of both, so the way is twice continuously
+    has orientation, angular velocity and angular acceleration of both, so the path is twice continuously
     differentiable in position and orientation, for any turns, and also over its arc length. It goes through
     every point; it is the same in every frame, for every tool frame, and backwards.
 

@@ -1,4 +1,4 @@
-"""Standing: the tool keeps its pose while something else has a way to go."""
+"""Standing: the tool keeps its pose while something else moves."""
 
 import numpy as np
 
@@ -12,7 +12,7 @@ class Standing:
 
     Attributes:
         X: of the tool in the reference frame.
-        length: of the way of those axes, in a unit of its own; positive.
+        length: of the path of those axes, in a unit of its own; positive.
     """
 
     X: Pose
@@ -20,16 +20,16 @@ class Standing:
 
     @property
     def moves(self) -> None:
-        """Return that the path parameter is neither a way nor an angle of the tool."""
+        """Return that the path parameter is neither an arc length nor an angle of the tool."""
 
     def tool(self, s: Array) -> ToolPoints:
-        """Return the tool and its derivatives at places s, shape (k,)."""
+        """Return the tool and its derivatives at path parameters s, shape (k,)."""
         matrices = np.empty((len(s), 4, 4))
         matrices[:] = self.X.matrix()
         return ToolPoints(matrices, np.zeros((len(s), 6)), np.zeros((len(s), 6)))
 
     def positions(self, s: Array) -> Array:
-        """Return where the TCP is at places s, shape (k,) to (k, 3) [m]."""
+        """Return where the TCP is at path parameters s, shape (k,) to (k, 3) [m]."""
         positions = np.empty((len(s), 3))
         positions[:] = self.X.position
         return positions

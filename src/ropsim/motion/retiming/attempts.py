@@ -19,7 +19,7 @@ _ENDLESS = 1e100
 
 
 class Attempts:
-    """Timings through m places of a motion, as fast as shares of its limits allow.
+    """Timings through m grid points of a motion, as fast as shares of its limits allow.
 
     Args:
         asked: constraint rows of the motion at the grid points.
@@ -47,7 +47,7 @@ class Attempts:
 
     @property
     def slowest(self) -> tuple[int, float]:
-        """Return the place with the lowest rate that limits leave, and its square."""
+        """Return the grid point with the lowest rate that limits leave, and its square."""
         point = int(self._x.argmin())
         return point, float(self._x[point])
 
@@ -88,7 +88,7 @@ class Attempts:
 
 
 def timing_below(grid_phi: Array, x: Array, lasting: Array, width: Array) -> tuple[Array, NominalTime]:
-    """Return the places in windows, see `smooth_timing`, shape (m,), and the nominal time.
+    """Return the positions in windows, see `smooth_timing`, shape (m,), and the nominal time.
 
     Args:
         grid_phi: nominal times [s], rising, shape (m,).

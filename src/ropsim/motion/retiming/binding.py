@@ -1,4 +1,4 @@
-"""At which rate the joints could keep their limits, place by place, and which one needs the lowest."""
+"""Rates at which joints keep their limits at each grid point, and the constraint with the lowest one."""
 
 from dataclasses import dataclass
 
@@ -16,7 +16,7 @@ class BindingConstraint:
 
     Attributes:
         quantity: that is limited.
-        point: index of the place.
+        point: index of the grid point.
         joint: index of the joint.
         rate: constant rate that would just keep the limit there.
     """
@@ -56,7 +56,7 @@ def binding_constraint(
         grid_phi: nominal times [s], shape (m,).
         period: of the control ticks [s].
         begin: index of the first checked grid point.
-        end: index of the place behind the last one.
+        end: index of the grid point behind the last one.
     """
     points, bounds, torque = constraints.points, constraints.bounds, constraints.still
     limits = np.full((len(Quantity), len(bounds.speed)), np.inf)

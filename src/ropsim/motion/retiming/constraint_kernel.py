@@ -88,14 +88,14 @@ def least_rate(
     Args:
         d1: first derivatives by nominal time, shape (m, n).
         d2: second ones, shape (m, n).
-        torque: of the plan from place `begin` on [N m | N], shape (end - begin, n), or (…, 0).
-        still: torque of creeping at all places [N m | N], shape (m, n), or (m, 0).
+        torque: of the plan from grid point `begin` on [N m | N], shape (end - begin, n), or (…, 0).
+        still: torque of creeping at all grid points [N m | N], shape (m, n), or (m, 0).
         grid_phi: nominal times [s], shape (m,).
         limits: in the order of `Quantity`, shape (4, n).
         period: of the control ticks [s].
         begin: first checked grid point.
-        end: place behind the last one.
-        out: becomes the quantity, the place, the joint and the rate, shape (4,).
+        end: grid point behind the last one.
+        out: becomes the quantity, the grid point, the joint and the rate, shape (4,).
     """
     out[3] = math.inf
     last = d1.shape[0] - 1

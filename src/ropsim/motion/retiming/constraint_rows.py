@@ -20,7 +20,7 @@ class ConstraintRows:
     given: exact there, for torques of gravity, dry and viscous friction and products of speeds alike.
 
     Attributes:
-        points: the path, m places.
+        points: the path, m grid points.
         bounds: of the joints.
         path_motion: paths with limits of their own there.
         effort: torque of the joints, or None.
@@ -38,7 +38,7 @@ class ConstraintRows:
         return ConstraintRows(self.points, self.bounds, self.path_motion, None, self.points.q[:, :0])
 
     def along(self) -> tuple[Array, Array]:
-        """Return first and second derivatives of joints and places on paths by nominal time, (m, n + r)."""
+        """Return first and second derivatives of joints and path parameters by nominal time, (m, n + r)."""
         return self.path_motion.with_joints(self.points)
 
     def most(self) -> Array:
@@ -69,7 +69,7 @@ def constraint_rows(
     """Return the constraint rows of a path for the joints.
 
     Args:
-        points: the path, m places.
+        points: the path, m grid points.
         bounds: of the joints.
         effort: torque of the joints, or None.
         paths: paths with limits of their own there; None where there are none.

@@ -19,11 +19,11 @@ _MOST_AHEAD = 0.6
 
 
 class Speeds:
-    """The greatest squared speeds at the m places of a path of n joints and r paths.
+    """The greatest squared speeds at the m grid points of a path of n joints and r paths.
 
     Args:
         asked: constraint rows of the path.
-        steps: ways from place to place, shape (m - 1,).
+        steps: intervals from grid point to grid point, shape (m - 1,).
     """
 
     def __init__(self, requested: ConstraintRows, steps: Array) -> None:
@@ -87,13 +87,14 @@ def time_optimal(
     """Return the speeds ds/dt of the fastest motion along a path, from rest to rest, shape (m,).
 
     Args:
-        points: the path on a grid of its parameter s, m >= 2 places, and its derivatives by s.
+        points: the path on a grid of its parameter s, m >= 2 grid points, and its derivatives by s.
         step: of the grid.
         bounds: of the joints; jerk is ignored.
         effort: torques at the joints, affine in accelerations; None where they do not count.
 
     Returns:
-        the speeds, or the first place at which the arm cannot even creep (its `phi` is the s of the place).
+        the speeds, or the first grid point at which the arm cannot even creep (its `phi` is the s of the grid
+        point).
 
     Raises:
         ProfileError: M540, the grid is none, or the path or its torques are no numbers.

@@ -36,7 +36,7 @@ def bound(
     """Write the bounds of the first rows of `fastest`, and where they are those of the call before.
 
     Args:
-        most: greatest sizes of rows, shape (m, n), or (1, n) for the same at all places.
+        most: greatest sizes of rows, shape (m, n), or (1, n) for the same at all grid points.
         share: what is used of them, shape (m,).
         imposed: bounds of x, shape (m,).
         wider: factor of the bounds.
@@ -56,15 +56,15 @@ def bound(
 
 
 NOTHING = 1e-12
-"""Where the acceleration changes a row by less than this share of its room, it is no part of the row."""
+"""Where the acceleration changes a row by less than this share of its range, it is no part of the row."""
 MOST_FALL = 0.75
-"""Share of x by which it may fall from one place to the next, unless it must be 0 there.
+"""Share of x by which it may fall from one grid point to the next, unless it must be 0 there.
 
 Where a torque row changes its side at once, such as where a joint turns back against dry friction, the
-fastest way up to there would come to rest behind it.
+fastest path up to there would come to rest behind it.
 """
 MOST_STEPS = 60
-"""Newton steps at one place; each passes a corner of a convex polygon, so that a handful is the rule."""
+"""Newton steps at one grid point; each passes a blend of a convex polygon, so that a handful is the rule."""
 
 
 @kernel
@@ -79,23 +79,24 @@ def fastest(
 ) -> None:
     """Compute the greatest squared speeds x = (ds/dt)² along a path.
 
-    Between places i and i+1 the acceleration u = d²s/dt² is constant, x[i+1] = x[i] + 2·steps[i]·u, and each
-    row r holds at both ends of the way with that u:
+    Between grid points i and i+1 the acceleration u = d²s/dt² is constant, x[i+1] = x[i] + 2·steps[i]·u, and
+    each row r holds at both ends of the interval with that u:
 
         lower[i, r] <= A[i, r]·u + B[i, r]·x[i] <= upper[i, r]
         lower[i+1, r] <= A[i+1, r]·u + B[i+1, r]·x[i+1] <= upper[i+1, r]
 
     Backwards, the greatest x from which the rest can be gone; then forwards, the greatest acceleration that
-    stays below it. Standing still satisfies all rows, so a place never has a least speed. The greatest x of a
-    place is the root of a convex function, linear in path segments, so Newton's method from above finds it
-    exactly.
+    stays below it. Standing still satisfies all rows, so a grid point never has a least speed. The greatest x
+    of a grid point is the root of a convex function, linear in path segments, so Newton's method from above
+    finds it exactly.
 
     Args:
         rows: the limits.
         imposed: bounds of x, at least 0, shape (m,).
-        steps: ways from place to place, above 0, shape (m - 1,).
-        same: above 0 where rows and cap of a place are those of the call before, whose answers in `free`,
-            `back` and `x` then hold where nothing beside it changed; becomes 0 where `back` changed, (m,).
+        steps: intervals from grid point to grid point, above 0, shape (m - 1,).
+        same: above 0 where rows and cap of a grid point are those of the call before, whose answers in
+            `free`, `back` and `x` then hold where no neighbour changed; becomes 0 where `back` changed,
+            (m,).
         free: the x from which no row keeps the next one from being reached, then the greatest cap, (m,).
         back: the greatest x from which the rest can be gone, shape (m,).
         x: the squared speeds afterwards, shape (m,).
@@ -103,7 +104,7 @@ def fastest(
     References:
         Bobrow, Dubowsky and Gibson 1985, Time-optimal control of robotic manipulators along specified paths.
         Pham and Pham 2018, A new approach to time-optimal path parameterization based on reachability
-        analysis; rows at both ends of the way are its interpolation scheme.
+        analysis; rows at both ends of the interval are its interpolation scheme.
     """
     last = imposed.shape[0] - 1
     greatest = 0.0
@@ -141,7 +142,7 @@ def fastest(
 def _backwards(
     rows: LinearRows, i: int, step: float, cap: float, goal: float, greatest: float, free: Array
 ) -> float:
-    """Return the greatest x of a place from which the next one can be at `goal`, and note if that is free."""
+    """Return the greatest x of a grid point with `goal` at the next one, and note if that is free."""
     free[i] = -1.0
     share = MOST_FALL if goal > 0.0 else 1.0
     twice, value = 2.0 * step, cap
@@ -190,7 +191,7 @@ def _binding(
     Args:
         rows: the limits.
         i: number of the point.
-        step: way to the next one.
+        step: interval to the next one.
         x: squared speed.
         sign: 1 for the greatest acceleration, -1 for minus the least.
         line: what binds it without rows, at x = 0.

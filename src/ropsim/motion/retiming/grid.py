@@ -15,11 +15,11 @@ _ROUNDS = 12
 _LEAST_PART = 1e-4
 """PathMotion that are shorter than this share of the grid are not divided further."""
 _LONG = 1.5
-"""Greatest real time between two places, over the requested time."""
+"""Greatest real time between two grid points, over the requested time."""
 _LITTLE_LONGER = 1.03
 """The same where nominal time is slower: with 1.5, arms with much jerk lose up to 7 % on single motions."""
 _STEEP = 0.4
-"""Greatest change of the logarithm of the speed that a joint allows, from place to place."""
+"""Greatest change of the logarithm of the speed that a joint allows, from grid point to grid point."""
 _MOST_PARTS = 64.0
 
 
@@ -28,12 +28,12 @@ def grid_points_of(
 ) -> tuple[Array, JointPoints]:
     """Return nominal times [s] from 0 to the end, about one real time apart, (m,), and the motion there.
 
-    Where joints must go a long way, or the speed that they allow changes steeply, ways are divided.
+    Where joints must go far, or the speed that they allow changes steeply, intervals are divided.
 
     Args:
         motion: the plan.
         bounds: of the joints.
-        spacing: real time between two places [s].
+        spacing: real time between two grid points [s].
         phi: nominal times at which rates are known, rising, shape (k,).
         rates: estimates of dφ/dt there, in ]0, 1], shape (k,).
     """
@@ -52,7 +52,7 @@ def grid_points_of(
 
 
 def _divided(grid_phi: Array, parts: Array) -> Array:
-    """Return the places with the ways between them in equal parts, (m,) and (m - 1,)."""
+    """Return the grid points with the intervals between them in equal parts, (m,) and (m - 1,)."""
     divided = np.empty(int(parts.sum()) + 1)
     divide(grid_phi, parts, divided)
     return divided
@@ -60,7 +60,7 @@ def _divided(grid_phi: Array, parts: Array) -> Array:
 
 @kernel
 def parts_by_rate(grid_phi: Array1, phi: Array1, rates: Array1, parts: Array1) -> None:
-    """Write into how many parts ways are divided, so that these last but a little longer than at full rate.
+    """Write into how many parts intervals are divided, so that these last little longer than at full rate.
 
     Args:
         grid_phi: nominal times [s], rising, shape (m,).
@@ -85,14 +85,14 @@ def parts_by_rate(grid_phi: Array1, phi: Array1, rates: Array1, parts: Array1) -
 def parts_by_joints(
     grid_phi: Array1, q: Array2, d1: Array2, speed: Array1, spacing: float, parts: Array1
 ) -> None:
-    """Write into how many parts ways are divided for joints that go far or whose speed bounds change steeply.
+    """Write the parts of intervals in which joints go far or speed bounds change steeply.
 
     Args:
         grid_phi: nominal times [s], rising, shape (m,).
         q: coordinates of the joints there, shape (m, n).
         d1: their derivatives by nominal time, shape (m, n).
         speed: limits of the joints, shape (n,).
-        spacing: real time between two places [s].
+        spacing: real time between two grid points [s].
         parts: becomes the numbers of parts, shape (m - 1,).
     """
     before = 0.0
@@ -112,12 +112,12 @@ def parts_by_joints(
 
 @kernel
 def divide(grid_phi: Array1, parts: Array1, out: Array1) -> None:
-    """Write places with the ways between them in equal parts.
+    """Write grid points with the intervals between them in equal parts.
 
     Args:
         grid_phi: rising, shape (m,).
         parts: numbers of parts, from 1 on, shape (m - 1,).
-        out: becomes the places, one more than there are parts.
+        out: becomes the grid points, one more than there are parts.
     """
     row = 0
     for i in range(parts.shape[0]):

@@ -65,8 +65,8 @@ def unslowed(duration: float) -> NominalTime:
 def motion_time(phi: Array, rates: Array, changes: Array) -> NominalTime:
     """Return the nominal time with given rates.
 
-    The time from knot to knot is that in which the integral of the cubic rate is the way between them: the
-    smaller root of Δφ = (w + w')·Δt/2 + (c - c')·Δt²/12 with rates w, w' and changes c, c'. Changes that
+    The time from knot to knot is that in which the integral of the cubic rate is the interval between them:
+    the smaller root of Δφ = (w + w')·Δt/2 + (c - c')·Δt²/12 with rates w, w' and changes c, c'. Changes that
     would lead a rate out of ]0, 1] between two knots are brought down.
 
     Args:

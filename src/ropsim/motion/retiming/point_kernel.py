@@ -1,4 +1,4 @@
-"""What a timing lacks at the places that it is planned with, in loops that numba compiles."""
+"""What a timing lacks at the grid points that it is planned with, in loops that numba compiles."""
 
 import math
 from typing import NamedTuple
@@ -17,7 +17,7 @@ from ropsim.spatial import Array
 
 _TINY = 1e-300
 _UNEVEN = 49.0
-"""Greatest length of one part of a path over the other one where jerks beside it tell that of its parts."""
+"""Greatest length of one part of a path over the other one where jerks next to it give that of its parts."""
 WORK_ROWS = 12
 BEFORE, HERE = 0, 1
 """Rows to work in: accelerations by real time at the point before and here."""
@@ -53,7 +53,7 @@ class PointLimits(NamedTuple):
     Attributes:
         speed: of the joints, and infinity for paths, shape (n + r,).
         acceleration: shape (m, n + r), or (1, n + r) for the same at all points.
-        jerk: likewise.
+        jerk: of the same shape.
     """
 
     speed: Array1
@@ -154,7 +154,7 @@ def _swing(count: int, square: float, c: float, first: Array, second: Array, out
 
 @columns
 def _jerk(count: int, per: float, behind: Array, before: Array, out: Array) -> None:
-    """Write mean jerks by nominal time on a way."""
+    """Write mean jerks by nominal time on an interval."""
     for j in range(count):
         out[j] = (behind[j] - before[j]) * per
 
@@ -172,7 +172,7 @@ def _exceed(
         cube: its third power; 0 where no interval is before that to the point, or none behind it.
         per: inverse of the real time on the interval [1/s].
         begin: added to the jerk at its begin, for a first derivative of 1 [1/s²].
-        end: likewise at its end.
+        end: the same at its end.
         work: rows as above.
     """
     for j in range(count):

@@ -39,16 +39,16 @@ def retime(
     of the paths that the motion is on are kept along with the joint limits: slower and faster again within
     them.
 
-    Every place must be one at which the arm can creep, so that the motion can be halted anywhere. Where dry
-    friction and gravity alone take more than the torque that there is, it is refused, though momentum might
-    help.
+    Every grid point must be one at which the arm can creep, so that the motion can be halted anywhere. Where
+    dry friction and gravity alone take more than the torque that there is, it is refused, though momentum
+    might help.
 
     Args:
         motion: the plan, at rest at both ends.
         bounds: capabilities of the joints.
         effort: torques at the joints, affine in accelerations; None where they do not count.
         period: of the control ticks [s].
-        grid: real time between two places that are planned with, about [s].
+        grid: real time between two grid points that are planned with, about [s].
 
     Raises:
         ProfileError: M540, the duration or a period is not above 0, or the motion or its torques are none.
@@ -77,7 +77,7 @@ def retimed_from(
         bounds: capabilities of the joints.
         effort: torques at the joints; None where they do not count.
         ticks: of control.
-        grid: real time between two places that are planned with, about [s].
+        grid: real time between two grid points that are planned with, about [s].
     """
     if not (math.isfinite(grid) and grid > 0.0):
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, f"grid {grid:g} s, allowed are numbers above 0"))

@@ -71,10 +71,10 @@ class RetimedTrajectory:
 
 @record
 class Infeasible:
-    """The first place at which no speed keeps the limits.
+    """The first grid point at which no speed keeps the limits.
 
     Attributes:
-        phi: nominal time of the place [s].
+        phi: nominal time of the grid point [s].
         joint: index of the joint.
         quantity: quantity of the excess.
         value: how much of that it would take [unit of the quantity], at the least speed that counts.
@@ -94,7 +94,7 @@ _TINY = 1e-300
 
 
 def too_heavy(requested: ConstraintRows, grid_phi: Array) -> Infeasible | None:
-    """Return the first place at which dry friction and gravity take more torque than there is.
+    """Return the first grid point at which dry friction and gravity take more torque than there is.
 
     Args:
         requested: constraint rows of the plan.
@@ -114,7 +114,7 @@ def too_heavy(requested: ConstraintRows, grid_phi: Array) -> Infeasible | None:
 
 
 def too_slow(requested: ConstraintRows, grid_phi: Array, binding: BindingConstraint) -> Infeasible:
-    """Return the refusal for a place that would require almost no speed.
+    """Return the refusal for a grid point that would require almost no speed.
 
     Args:
         requested: constraint rows of the plan.

@@ -9,20 +9,20 @@ from ropsim.spatial import Array
 _WIDE, _NARROW = 2.0 / 3.0, 1.0 / 3.0
 """Half widths of the two windows that are averaged over, together 1: the kernel is a trapezoid."""
 WORK = 8
-"""Rows of room that rounding needs, each two longer than there are places."""
+"""Rows of work for smoothing, each two longer than there are grid points."""
 
 
 @kernel
 def greatest_nearby(sigma: Array1, values: Array1, queue: Array1, out: Array1) -> None:
-    """Write the greatest value within ±1 of each place, the places next to that included.
+    """Write the greatest value within ±1 of each grid point, the grid points next to that included.
 
-    The window moves on from place to place; places in it whose values are less than one behind them can
-    never be the greatest again and leave the queue.
+    The window moves on from grid point to grid point; grid points in it whose values are less than one behind
+    them can never be the greatest again and leave the queue.
 
     Args:
         sigma: rising, shape (m,).
         values: shape (m,).
-        queue: room for indices of places, shape (m,) or longer.
+        queue: work for indices of grid points, shape (m,) or longer.
         out: where the answers go, shape (m,).
     """
     last = sigma.shape[0] - 1
@@ -52,9 +52,9 @@ def rounded(sigma: Array1, rates: Array1, work: Array2, smooth: Array1, slopes: 
     bit by bit.
 
     Args:
-        sigma: places in windows that reach from -1 to +1, rising, shape (m,).
+        sigma: positions in windows that reach from -1 to +1, rising, shape (m,).
         rates: at most 1, shape (m,).
-        work: room, shape (WORK, m + 2).
+        work: of shape (WORK, m + 2).
         smooth: becomes the rates, shape (m,).
         slopes: becomes their derivatives by σ, which have no jumps, shape (m,).
     """
@@ -83,11 +83,11 @@ def _average(
 
     Args:
         sigma: rising, shape (k,).
-        per: inverse of the ways between the places, shape (k - 1,) or longer.
+        per: inverse of the intervals between the grid points, shape (k - 1,) or longer.
         values: shape (k,).
         half: half width of the window.
-        until: room for the areas in front of the places, shape (k,).
-        rise: room for the slopes behind the places, shape (k - 1,) or longer.
+        until: work for the areas in front of the grid points, shape (k,).
+        rise: work for the slopes behind the grid points, shape (k - 1,) or longer.
         mean: where the means go, shape (k,).
         slope: where the slopes go, shape (k,).
     """
@@ -118,7 +118,7 @@ LEAST_RATE = 1e-4
 SLACK = 5e-10
 """Share by which bounds are planned wider, so that a plan that is on them is left unchanged."""
 _FEWEST_CELLS = 5.0
-"""Half width of the least window over the way between places."""
+"""Half width of the least window over the interval between grid points."""
 _SLOPE = 0.6
 """Greatest change of the width along the motion, so that a window far off a dip does not reach it."""
 _SWING = 0.5
@@ -146,8 +146,9 @@ def smooth_timing(
         x: squares of rates; these are nowhere exceeded, except for the least rate that counts, shape (m,).
         lasting: real times that windows last at least [s], shape (m,).
         width: factor of the windows, shape (m,).
-        work: room, shape (2 + WORK, m + 2).
-        sigma: becomes the places in windows, in which these reach from -1 to +1: dσ/dφ = 1/width, shape (m,).
+        work: of shape (2 + WORK, m + 2).
+        sigma: becomes the positions in windows, in which these reach from -1 to +1: dσ/dφ = 1/width, shape
+            (m,).
         times: becomes the real times [s], shape (m,).
         smooth: becomes the rates dφ/dt, shape (m,).
         changes: becomes the changes of these [1/s], shape (m,).
@@ -190,8 +191,8 @@ def windows_last(
     """Write how long windows last, so that jerk limits let accelerations swing in them.
 
     Args:
-        first: first derivatives of joints and places on paths by nominal time, shape (m, n + r).
-        most: bounds of their accelerations, shape (m, n + r), or (1, n + r) for the same at all places.
+        first: first derivatives of joints and path parameters by nominal time, shape (m, n + r).
+        most: bounds of their accelerations, shape (m, n + r), or (1, n + r) for the same at all grid points.
         jerk: bounds of their jerks.
         by_speed: longest time for the sake of the limits of speed [s].
         longest: bound of the result [s].

@@ -10,8 +10,8 @@ from ropsim.spatial import Array, frozen, record
 class PathMotion:
     """Motion along r paths at k nominal times, each of shape (k, r).
 
-    With the place s on a path, in its unit: the limits hold for d²s/dt² and d³s/dt³ by real time t. Where the
-    motion is not on a path, s rests and its limits are infinity.
+    With the path parameter s on a path, in its unit: the limits hold for d²s/dt² and d³s/dt³ by real time t.
+    Where the motion is not on a path, s rests and its limits are infinity.
 
     Attributes:
         speeds: ds/dφ by nominal time φ.
@@ -30,7 +30,7 @@ class PathMotion:
             object.__setattr__(self, name, frozen(getattr(self, name)))
 
     def with_joints(self, points: JointPoints) -> tuple[Array, Array]:
-        """Return first and second derivatives of n joints and r places by nominal time, (k, n + r).
+        """Return first and second derivatives of n joints and r path parameters by nominal time, (k, n + r).
 
         Args:
             points: the joints, k rows.

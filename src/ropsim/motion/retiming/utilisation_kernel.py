@@ -9,7 +9,7 @@ from ropsim.spatial import Array
 
 ENDLESS = math.inf
 AT_ONCE = 16
-"""Ticks whose numbers are looked at as one row."""
+"""Ticks whose numbers are taken as one row."""
 ROWS_OF_MOTION, ROWS_OF_TORQUE = 7, 2
 """Rows to work in: reciprocals of limits of all columns, what is used of them, and zeros."""
 REST = 6
@@ -122,7 +122,7 @@ class Derivatives(NamedTuple):
 
     Attributes:
         first: shape (k, n + r).
-        second: likewise.
+        second: of the same shape.
     """
 
     first: Array2
@@ -134,7 +134,7 @@ class JointLoad(NamedTuple):
 
     Attributes:
         qd: speeds of joints [rad/s | m/s], then of paths, shape (k, n + r).
-        qdd: accelerations [rad/s² | m/s²] likewise.
+        qdd: accelerations [rad/s² | m/s²], of the same shape.
         torque: of joints [N m | N], shape (k, n), or (k, 0) where it does not count.
     """
 
@@ -182,7 +182,7 @@ def utilisation_of(
     inverse: Array2,
     out: Used,
 ) -> None:
-    """Compute strains and lacks of n joints and r paths at k control ticks; no number counts as infinity.
+    """Compute utilisation and lacks of n joints and r paths at k control ticks; no number counts as infinity.
 
     Jerk is the difference of accelerations of neighbouring ticks, at the later one of the two; joints rest
     before the first and after the last tick. It has three causes: the path itself asks for a lower rate,
@@ -330,10 +330,10 @@ _WIDEST = 8.0
 
 @kernel
 def give_up(sigma: Array1, lacks: Array2, work: Array2, shares: Array2) -> None:
-    """Make shares smaller, and windows wider, by the greatest lacks in the windows around places.
+    """Make shares smaller, and windows wider, by the greatest lacks in the windows around grid points.
 
     Args:
-        sigma: places in windows, see `smooth_timing`, shape (m,).
+        sigma: positions in windows, see `smooth_timing`, shape (m,).
         lacks: logarithms, as from `lacks_at`, shape (4, m).
         work: to work in, shape (2, m).
         shares: of rate and acceleration, width of windows, and share of torque, shape (4, m).

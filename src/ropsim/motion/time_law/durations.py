@@ -10,7 +10,7 @@ ZERO_LENGTH = 1e-9  # [rad | m]; far below any encoder, far above the rounding o
 
 
 def durations(q_start: Array, q_ends: Array, limits: JointMotionLimits) -> Array:
-    """Return the durations of the fastest motions from one place to others [s], shape (m,).
+    """Return the durations of the fastest motions from one position to others [s], shape (m,).
 
     All joints follow one normalised profile r(t) with q = (1 - r)·q_start + r·q_end, so the slowest joint
     leads and the others scale with it: the limits of r are min over the joints of limit / |q_end - q_start|,

@@ -1,4 +1,4 @@
-"""The time law of a path of several pieces: jerk-limited, from rest to rest, as fast as its bounds allow."""
+"""The jerk-limited time law of a path of several segments, from rest to rest, as fast as its bounds allow."""
 
 from collections.abc import Iterable
 
@@ -17,7 +17,7 @@ _SEGMENTS = 8  # of a path segment, at most, up and the same number down
 
 
 def plan_time_law(path_limits: Iterable[Interval]) -> PiecewiseLaw:
-    """Return the time law of a path of p path segments, in time proportional to p and the look-ahead.
+    """Return the time law of a path of p path segments, in time proportional to p and the sample-ahead.
 
     The motion starts and ends at rest and keeps the bounds of each path segment; its acceleration goes on
     where a path segment ends. Rises are as steep as the bounds allow, so are falls: the motion follows the

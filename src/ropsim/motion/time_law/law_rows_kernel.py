@@ -1,7 +1,7 @@
 """Where a motion of constant jerks is at given times, in a loop that numba compiles.
 
-Segments stand in columns: path segment, time at the start [s], place, speed, acceleration, jerk, duration
-[s], place at the end; see `TimeLaw`.
+Segments stand in columns: path segment, time at the start [s], path parameter, speed, acceleration, jerk,
+duration [s], path parameter at the end; see `TimeLaw`.
 """
 
 from math import inf
@@ -27,7 +27,7 @@ class _Segment(NamedTuple):
 
 @kernel
 def rows_at(segments: Array2, duration: float, times: Array1, out: Array2) -> None:
-    """Write path segment, place, speed and acceleration at each time.
+    """Write path segment, path parameter, speed and acceleration at each time.
 
     Args:
         segments: shape (8, m).

@@ -1,7 +1,7 @@
-"""When a motion of constant jerks is at given places, in loops that numba compiles.
+"""When a motion of constant jerks is at given path parameters, in loops that numba compiles.
 
-Segments stand in columns: path segment, time at the start [s], place, speed, acceleration, jerk, duration
-[s], place at the end; see `TimeLaw`.
+Segments stand in columns: path segment, time at the start [s], path parameter, speed, acceleration, jerk,
+duration [s], path parameter at the end; see `TimeLaw`.
 """
 
 from math import inf, isnan, sqrt
@@ -24,12 +24,12 @@ NEARLY_EVEN = 0.2
 def times_at(
     segments: Array2, ends: Array1, path_segments: Array1, parameters: Array1, out: Array1, result: Array1
 ) -> None:
-    """Write the time [s] at which the motion is at each of some places of path segments.
+    """Write the time [s] at which the motion is at each of some path parameters of path segments.
 
     Args:
         segments: shape (8, m).
         ends: times [s] at which the path segments end, shape (p,).
-        path_segments: index of the path segment of each place, best in order, shape (k,).
+        path_segments: index of the path segment of each path parameter, best in order, shape (k,).
         parameters: on it; those outside of it count as its start or end; shape (k,).
         out: where the times go, shape (k,).
         result: output for the number of times; fewer than k if a path segment does not exist.
@@ -57,7 +57,7 @@ def times_along(
     Args:
         segments: shape (8, m).
         ends: times [s] at which the path segments end, shape (p,).
-        path_segments: index of the path segment of each place, rising, shape (k,).
+        path_segments: index of the path segment of each path parameter, rising, shape (k,).
         parameters: on it, in order; those outside of it count as its start or end; shape (k,).
         out: where the times go, shape (k,).
     """
@@ -115,7 +115,7 @@ def _near(segments: Array, row: int, distance: float, u: float) -> float:
 
 @kernel
 def time_at(segments: Array2, ends: Array1, path_segment: int, s: float, out: Array1) -> None:
-    """Write the time [s] at which the motion is at a place of a path segment that there is; see `times_at`.
+    """Write the time [s] at which the motion is at a parameter of an existing path segment; see `times_at`.
 
     Args:
         segments: shape (8, m).
@@ -130,7 +130,7 @@ def time_at(segments: Array2, ends: Array1, path_segment: int, s: float, out: Ar
 
 
 def _time_of(segments: Array, ends: Array, path_segment: int, beyond: int, row: int, s: float) -> float:
-    """Return the time [s] of a place of a path segment, within one of its segments."""
+    """Return the time [s] of a path parameter of a path segment, within one of its segments."""
     if s >= segments[7, beyond - 1]:
         return float(ends[path_segment])
     if isnan(s):
@@ -141,7 +141,7 @@ def _time_of(segments: Array, ends: Array, path_segment: int, beyond: int, row: 
 
 
 def _row_of(segments: Array, s: float, first: int, beyond: int, row: int) -> int:
-    """Return the last segment that starts no later than at a place, searched first at `row`."""
+    """Return the last segment that starts no later than at a path parameter, searched first at `row`."""
     low, high = first, beyond
     if row > first and segments[2, row] <= s:
         low = row
@@ -174,10 +174,10 @@ def _lower(segments: Array, column: int, value: float) -> int:
 
 
 def _time_at(segments: Array, row: int, s: float, end: float) -> float:
-    """Return the time [s] of a place in a segment that ends at `end`.
+    """Return the time [s] of a path parameter in a segment that ends at `end`.
 
-    Newton's steps for the way v·u + a·u²/2 + j·u³/6 start at the least of the times that its parts would take
-    alone; a step that leaves the times known to be too early and too late is replaced by halving.
+    Newton's steps for the distance v·u + a·u²/2 + j·u³/6 start at the least of the times that its parts would
+    take alone; a step that leaves the times known to be too early and too late is replaced by halving.
     """
     v, a, j = segments[3, row], segments[4, row], segments[5, row]
     distance = s - segments[2, row]

@@ -10,7 +10,7 @@ it."""
 ROUNDS = 100
 """More steps than any search here needs, were it by halves alone."""
 NEAREST = 4e-16
-"""Relative; places nearer to each other are not distinguished."""
+"""Relative; path parameters nearer to each other are not distinguished."""
 LITTLE_LESS = 1.0 - 2.0 * NEAREST
 """Factor on the last value that a search takes as allowed, so that it usually is allowed despite rounding."""
 NEWTON = 2e-8
@@ -58,7 +58,7 @@ def reached_within(speed: float, length: float, acceleration: float, jerk: float
 
 
 def _reached(speed: float, length: float, acceleration: float, jerk: float) -> float:
-    """Return the highest speed to which it can rise over a way, without acceleration at both ends.
+    """Return the highest speed to which it can rise over a distance, without acceleration at both ends.
 
     Below the bound of acceleration it rises by w² with w³ + 2·speed·w = length·√jerk: Newton's steps fall to
     the root of a convex function, from the value that either term alone would allow.
@@ -85,9 +85,9 @@ def _reached(speed: float, length: float, acceleration: float, jerk: float) -> f
 
 
 def crossing_time(distance: float, v: float, a: float, j: float) -> float:
-    """Return the time over a way with speed v and acceleration a at its start, before a jerk j < 0 ends a.
+    """Return the time over a distance from speed v and acceleration a, before a jerk j < 0 ends a.
 
-    The way is convex in time then, so that Newton's steps fall to the root from above.
+    The distance is convex in time then, so that Newton's steps fall to the root from above.
     """
     if distance <= 0.0:
         return 0.0
@@ -112,17 +112,17 @@ def crossing_time(distance: float, v: float, a: float, j: float) -> float:
 def level_off(
     table: Array, path_segment: int, s: float, v: float, a: float, since: int
 ) -> tuple[int, int, float, float, int, float]:
-    """Level the motion off from a place; `since` is the first path segment whose horizon counts.
+    """Level the motion off from a path parameter; `since` is the first path segment whose horizon counts.
 
     Returns:
         0 where that keeps all bounds, 1 where it leads too fast over a boundary, 2 where its end is too fast
-        for its path segment; path segment, place and speed at the end; the first boundary or path segment
-        where it is too fast; how much faster the end is with a little more acceleration at the start, as a
-        share of that.
+        for its path segment; path segment, path parameter and speed at the end; the first boundary or path
+        segment where it is too fast; how much faster the end is with a little more acceleration at the start,
+        as a share of that.
     """
     p = table.shape[1] - 1
     fault, k, where = 0, path_segment, 0
-    bent, gained, shifted = 1.0, 0.0, 0.0  # acceleration, speed and place at the same time, as shares
+    bent, gained, shifted = 1.0, 0.0, 0.0  # acceleration, speed and s at the same time, as shares
     while True:
         length, jerk = table[0, k], table[3, k]
         t = a / jerk
@@ -155,7 +155,7 @@ def level_off(
 def state_after(
     t: float, v: float, a: float, jerk: float, until: float, most: float
 ) -> tuple[float, float, float]:
-    """Return place, speed and acceleration at a time of a rise from place 0.
+    """Return path parameter, speed and acceleration at a time of a rise from path parameter 0.
 
     Args:
         t: since the start [s].
@@ -173,7 +173,7 @@ def state_after(
 
 
 def levelled_parameter(s: float, v: float, a: float, jerk: float) -> float:
-    """Return the place at which a motion is levelled off, were its path segment endless."""
+    """Return the path parameter at which a motion is levelled off, were its path segment endless."""
     t = a / jerk
     return s + t * (v + a * t * THIRD)
 
@@ -185,7 +185,7 @@ def between(x1: float, x2: float, share: float) -> float:
 
 
 def root_share(x1: float, f1: float, x2: float, f2: float, x3: float, f3: float) -> float:
-    """Return where a root lies between two places, as a share of the way from the first to the second.
+    """Return where a root lies between two values, as a share of the difference.
 
     By inverse quadratic interpolation where that is known to serve, else in the middle (Chandrupatla 1997, A
     new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function without using

@@ -19,7 +19,7 @@ def plan_longer(
     """Write the result of `plan_segments`, expressed over path segments of several intervals.
 
     Args:
-        bounds: of the path limits, see `plan_segments`, and so are ways, timings, rows and ends, shape (s,
+        bounds: of the path limits, see `plan_segments`, and so are tables, rises, rows and ends, shape (s,
             6).
         counts: how many path limits are one path segment, in order, shape (c,); their sum is s.
         tables: see there.

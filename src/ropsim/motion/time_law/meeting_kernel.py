@@ -15,7 +15,7 @@ from ropsim.motion.time_law.levelling_kernel import (
 from ropsim.spatial import Array
 
 MET = 1e-13
-"""Relative; a rise and a fall that leave no more of their way between them meet."""
+"""Relative; a rise and a fall that leave no more of their distance between them meet."""
 
 
 def write_meeting(tables: Array, rises: Array, first: int, last: int, rows: Array, n: int) -> int:
@@ -80,7 +80,7 @@ def _summit(table: Array, rises: Array, start: int, top: float) -> tuple[int, fl
     """Return where the rise from a boundary is levelled off to a speed, and where that ends.
 
     Returns:
-        segment and time in it; path segment and place.
+        segment and time in it; path segment and path parameter.
     """
     first, last = int(table[6, start]), int(table[7, start])
     row, high = first - 1, last - 1
@@ -131,7 +131,7 @@ def _copy(
     """Write the rise from a boundary until a time of a segment, and levelled off behind it.
 
     Returns:
-        the number of all segments, and path segment and place at the end.
+        the number of all segments, and path segment and path parameter at the end.
     """
     v, a, change = 0.0, 0.0, 0.0
     for i in range(int(table[6, start]), row + 1):

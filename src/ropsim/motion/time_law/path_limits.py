@@ -1,4 +1,4 @@
-"""Path limits one behind the other, as rows of numbers: long ways have thousands, planned again and again."""
+"""Path limits one behind the other, as rows of numbers: long paths have thousands."""
 
 from collections.abc import Iterable, Iterator
 
@@ -41,7 +41,7 @@ class PathLimits:
 
     @property
     def ends(self) -> Array:
-        """Return the places at which they end, from the start of the first one on, shape (s,)."""
+        """Return the path parameters at which they end, from the start of the first one on, shape (s,)."""
         return np.cumsum(self.rows[:, 0])
 
     @property

@@ -74,14 +74,15 @@ class PiecewiseLaw:
         return LawRows(out[0].astype(np.int64), out[1], out[2], out[3])
 
     def times_of(self, path_segments: npt.ArrayLike, s: npt.ArrayLike) -> Array:
-        """Return when the motion is at places of path segments [s].
+        """Return when the motion is at path parameters of path segments [s].
 
         Args:
-            path_segments: index of one for all places, or of one for each, shape (k,); quickest in order.
+            path_segments: index of one for all path parameters, or of one for each, shape (k,); quickest in
+                order.
             s: values of s, shape (k,); those outside of their path segment count as its start or end.
 
         Returns:
-            the times, shape (k,), in the order of the places.
+            the times, shape (k,), in the order of the path parameters.
 
         Raises:
             IndexError: the path segment does not exist.
@@ -96,7 +97,7 @@ class PiecewiseLaw:
         return out
 
     def time_of(self, path_segment: int, s: float) -> float:
-        """Return when the motion is at a place of a path segment [s]; see `times_of`.
+        """Return when the motion is at a path parameter of a path segment [s]; see `times_of`.
 
         Args:
             path_segment: index of it.

@@ -38,7 +38,7 @@ class Profile:
     `jerk_time`, constant speed until the middle. The second half mirrors it.
 
     Attributes:
-        distance: way to go, in the unit of the scalar.
+        distance: in the unit of the scalar.
         duration: time for it [s].
         jerk: third derivative in the first segment [1/s³].
         jerk_time: [s].
@@ -90,7 +90,7 @@ def plan_profile(distance: float, limits: ProfileLimits) -> Profile:
     if distance == 0.0:
         return Profile(0.0, 0.0, j, 0.0, 0.0, 0.0)
     jerk_time, acceleration_time = _rise(v, a, j)
-    ramps = v * (2.0 * jerk_time + acceleration_time)  # way of speeding up and slowing down together
+    ramps = v * (2.0 * jerk_time + acceleration_time)  # distance of speeding up and slowing down together
     if ramps <= distance:
         speed_time = (distance - ramps) / v
     else:
@@ -101,7 +101,7 @@ def plan_profile(distance: float, limits: ProfileLimits) -> Profile:
 
 
 def evaluate(profile: Profile, t: Array) -> tuple[Array, Array, Array]:
-    """Return way, speed and acceleration at the times `t`.
+    """Return position, speed and acceleration at the times `t`.
 
     Start and end are exact: the second half is computed as the mirror of the first.
 

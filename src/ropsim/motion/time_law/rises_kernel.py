@@ -30,7 +30,7 @@ class _Rise(NamedTuple):
 
 
 def write_rises(table: Array, rises: Array) -> None:
-    """Write the rises over a way."""
+    """Write the rises over a distance."""
     p = table.shape[1] - 1
     for i in range(p + 1):
         table[6, i] = -1.0
@@ -115,8 +115,8 @@ def _nearest(
     A boundary bounds nothing as long as the motion is levelled off before it, and little just behind it.
 
     Returns:
-        the fault and its place as `level_off` finds them, or would find them; the room up to the bound, as a
-        share of it, below 0 where it is broken.
+        the fault and its path segment as `level_off` finds them, or would find them; the margin up to the
+        bound, as a share of it, below 0 where it is broken.
     """
     p = table.shape[1] - 1
     k, where, margin = path_segment, path_segment + 1, inf
@@ -163,7 +163,7 @@ def _last_within(
     """Return the last time between two at which a rise could be levelled off without breaking a bound.
 
     Returns:
-        the time, a few roundings before the last one; the fault that follows and its place.
+        the time, a few roundings before the last one; the fault that follows and its path segment.
     """
     jerk = table[3, k]
     s, v1, a1 = state_after(low, v, a, jerk, until, most)
@@ -199,8 +199,8 @@ def _levelled_at(
 ) -> float:
     """Return the last time no later than another at which a rise can be levelled off within a length.
 
-    Under jerk the place at which it is levelled off is convex in time, so that Newton's steps fall to the
-    root from above; behind that it is a square.
+    Under jerk the path parameter at which it is levelled off is convex in time, so that Newton's steps fall
+    to the root from above; behind that it is a square.
     """
     t = min(until, high)
     s, v1, a1 = state_after(t, v, a, jerk, until, most)
@@ -221,7 +221,7 @@ def _levelled_at(
 def _add_rise(
     table: Array, rises: Array, n: int, k: int, rise: _Rise, end: float, last: float, reached: float
 ) -> int:
-    """Write the segments of a rise in path segment k up to a time and place; return the number of all."""
+    """Write the segments of a rise in path segment k up to a time; return the number of all."""
     jerk = table[3, k]
     if end <= rise.until:
         return _add(rises, n, k, 0.0, rise.v, rise.a, jerk, end, last, reached)

@@ -22,7 +22,7 @@ class SynchronisedJoints:
 
     Each joint has the fastest profile from rest to rest that its own limits allow. The slowest joint
     determines the time; the profiles of the others are stretched to it, so that all their derivatives get
-    smaller. The way is no straight line in joint space.
+    smaller. The path is no straight line in joint space.
 
     Attributes:
         q_start: joint coordinates at time 0 [rad | m], shape (n,).
@@ -33,8 +33,8 @@ class SynchronisedJoints:
             and for how long the acceleration lasts that follows [s]; of shape (3, n).
 
     Raises:
-        ProfileError: M540, where a limit is not from 1e-50 to 1e50, a way is not finite or longer, or the
-            numbers of joints differ.
+        ProfileError: M540, where a limit is not from 1e-50 to 1e50, a distance is not finite or longer, or
+            the numbers of joints differ.
     """
 
     q_start: Array

@@ -160,7 +160,7 @@ def plan_together(distances: Array1, limits: Array2, shapes: Array2, result: Arr
 
 
 def _peak(length: float, speed: float, acceleration: float, jerk: float) -> float:
-    """Return the highest speed on a way from rest to rest; a rise and a fall take it as a mean."""
+    """Return the highest speed over a distance from rest to rest; a rise and a fall take it as a mean."""
     lag = acceleration * acceleration / jerk
     peak = 2.0 * length * acceleration / (lag + sqrt(lag * lag + 4.0 * length * acceleration))
     if peak < lag:

@@ -1,23 +1,23 @@
-"""A way of several path segments in little time, in plain loops that numba compiles.
+"""A path of several path segments in little time, in plain loops that numba compiles.
 
 A rise starts without acceleration and takes as much jerk, then as much acceleration, as its path segment
 allows, while it can still be levelled off (its acceleration taken back to 0 with the full jerk of the path
 segments that this leads through) without breaking a bound. Where it could no longer, it is levelled off until
 the path segment that was in the way is reached. Where a rise is too fast for the following segments, a new
-one starts at the bound there. A fall is a rise on the way back. So there is a chain of rises from the start,
+one starts at the bound there. A fall is a rise backwards. So there is a chain of rises from the start,
 one of falls from the end, and the motion follows the lower one of both. Where a rise meets a fall, both are
 levelled off to the highest speed at which one is still before the other. Passes from both ends follow
 time-optimal motions along paths (Bobrow, Dubowsky and Gibson 1985, Time-Optimal Control of Robotic
 Manipulators Along Specified Paths, Int. J. Robotics Research 4(3)), segments follow the S-curve (Biagiotti
 and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, section 3.4).
 
-In a table of a path stand, path segment by piece: length, speed, acceleration, jerk, bound of the speed at
-its start, horizon; then, where a rise starts at a path segment, its first segment, the one behind its last,
-and the speed to which its end can be levelled off; then the speed at its start from which all of the rest can
-be made; at last, for its horizon, a path segment and the speed at the end of that from which the motion can
-stop in time, if already found. The last column is the end of the way. In a table of segments stand path
-segment, place, speed, acceleration, jerk, duration, place at the end, and the speed to which its start can be
-levelled off.
+In a table of a path stand, in a column for each path segment: length, speed, acceleration, jerk, bound of the
+speed at its start, horizon; then, where a rise starts at a path segment, its first segment, the one behind
+its last, and the speed to which its end can be levelled off; then the speed at its start from which all of
+the rest can be made; at last, for its horizon, a path segment and the speed at the end of that from which the
+motion can stop in time, if already found. The last column is the end of the path. In a table of segments
+stand path segment, path parameter, speed, acceleration, jerk, duration, path parameter at the end, and the
+speed to which its start can be levelled off.
 """
 
 from math import inf
@@ -44,8 +44,8 @@ def plan_segments(
         tables: work: the tables forwards and backwards, units and lengths, shape (3, 12, p + 1).
         rises: work: the tables of rises, of falls, and segments backwards, of shape
             (3, 8, 8·p).
-        rows: where the segments go: path segment, time at the start [s], place, speed, acceleration, jerk,
-            duration [s], place at the end; of shape (8, 16·p).
+        rows: where the segments go: path segment, time at the start [s], path parameter, speed, acceleration,
+            jerk, duration [s], path parameter at the end; of shape (8, 16·p).
         ends: where the times [s] go at which the path segments end, shape (p,).
         result: becomes the number of segments, or -1 and the index of a path segment whose bounds no motion
             can have, shape (2,).
@@ -67,7 +67,7 @@ def plan_segments(
 
 
 def _lay_out(bounds: Array, tables: Array) -> int:
-    """Write the tables of the way there and back; return the index of a path segment that is wrong, or -1."""
+    """Write the tables forwards and backwards; return the index of a path segment that is wrong, or -1."""
     p = bounds.shape[0]
     there, back, units, gone = tables[0], tables[1], tables[2, 0], tables[2, 1]
     units[0], gone[0] = 1.0, 0.0

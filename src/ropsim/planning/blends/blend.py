@@ -22,7 +22,7 @@ HALF = 0.5
 """Share of a move that a zone may take."""
 
 LEAST_ZONE = 1e-6
-"""Zones below this are none [m]: no arm shows them, and rounding would have a say in the way round them."""
+"""Zones below this are none [m]: no arm shows them, and rounding would decide their path."""
 
 
 class Stop(Enum):
@@ -44,9 +44,9 @@ class CartesianBlend:
 
     Attributes:
         zone: distance of the TCP from the blend at which the path leaves and enters [m].
-        leave: place on the path before, in its unit.
-        enter: place on the path behind, in its unit.
-        tool: the way between, in the base frame or that of the coordination.
+        leave: path parameter on the path before, in its unit.
+        enter: path parameter on the path behind, in its unit.
+        tool: the path between, in the base frame or that of the coordination.
         joints: the same in joint space.
         coordination: external axes that go along; None where they stand on both sides.
     """
@@ -66,8 +66,8 @@ class JointSpaceBlend:
     Attributes:
         zone: distance of the TCP from the blend within which both may last, on the longer of the paths [m].
         shorter: the same on the shorter one [m].
-        leave: place on the path before from which on the next move may begin, in its unit.
-        enter: place on the path behind up to which the one before may last, in its unit.
+        leave: path parameter on the path before from which on the next move may begin, in its unit.
+        enter: path parameter on the path behind up to which the one before may last, in its unit.
     """
 
     zone: float

@@ -16,7 +16,7 @@ _STEPS = (64, 128, 256, 512, 1024)
 _FAR = 0.5
 """A greater distance from the expected coordinates [rad | m] means another posture."""
 _SAME = 1e-6
-"""Joint coordinates of one posture, found along two ways, are no farther apart [rad | m]."""
+"""Joint coordinates of one posture, found along two paths, are no farther apart [rad | m]."""
 
 
 def joined_to(
@@ -43,7 +43,7 @@ def joined_to(
         along: external axes that go along; None where they stand.
 
     Returns:
-        the way; None where it would end in another posture or the poses cannot be kept.
+        the path; None where it would end in another posture or the poses cannot be kept.
     """
     if has_named_branches(chain.robot):
         return joints if np.abs(ends[1].q[0] - end_of(joints)).max() <= _SAME else None

@@ -1,4 +1,4 @@
-"""The way round a blend between two paths that the wrist leads: its joints go on smoothly."""
+"""The blend between two paths that the wrist leads: its joints go on smoothly."""
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from ropsim.spatial import record
 
 @record
 class WristBlend:
-    """The way round a blend.
+    """A blend that the wrist leads.
 
     Attributes:
         tool: the path of the tool, in the frame of the blend.
@@ -38,14 +38,14 @@ def wrist_blend_of(
     path: ToolPath,
     along: Coordination | None,
 ) -> WristBlend | None:
-    """Return the way round a blend, None where the arm cannot keep it in the posture of both sides.
+    """Return the path of a blend, None where the arm cannot keep it in the posture of both sides.
 
     The joints of the wrist have angles, slopes and bends of both sides at its ends.
 
     Args:
         robot: the arm with its external axes.
-        before: the move that ends at the blend, and the place at which its path is left.
-        behind: the move that begins there, and the place at which its path is entered.
+        before: the move that ends at the blend, and the path parameter at which its path is left.
+        behind: the move that begins there, and the path parameter at which its path is entered.
         path: of the tool round the blend, in the base frame or that of the external axes.
         along: external axes on it; None where they stand.
     """

@@ -22,28 +22,28 @@ from ropsim.planning.blends.zone_search_kernel import SearchPaths, SearchWork, z
 from ropsim.spatial import Array, Pose
 
 Crossing = tuple[float, float]
-"""A place in the unit of the path, and how far the TCP is from the blend there [m]."""
+"""A path parameter in the unit of the path, and how far the TCP is from the blend there [m]."""
 
 
 class TcpPath(Protocol):
-    """The way of the TCP along the path of a move, at an end of which it is in the centre of a zone."""
+    """Path of the TCP along a move, with the centre of a zone at one end."""
 
     @property
     def length(self) -> float:
         """Return the length of the path, in its own unit."""
 
     def leave(self, zone: float, clip: float) -> Crossing:
-        """Return the place, at least `clip`, behind which the TCP stays within a zone [m] round the end."""
+        """Return the parameter, at least `clip`, behind which the TCP stays in a zone [m] round the end."""
 
     def enter(self, zone: float, clip: float) -> Crossing:
-        """Return the place, at most `clip`, before which the TCP stays within a zone [m] round the start."""
+        """Return the parameter, at most `clip`, before which the TCP stays in a zone [m] round the start."""
 
     def distance(self, s: float, other: float) -> float:
-        """Return the distance of the TCP between two places [m]."""
+        """Return the distance of the TCP between two path parameters [m]."""
 
 
 def tcp_path_of(robot: RobotModel, joints: JointPath, X_MT: Pose, tool: ToolPath | None) -> TcpPath:
-    """Return the way of the TCP along a move.
+    """Return the path of the TCP along a move.
 
     Args:
         robot: the arm.
@@ -70,17 +70,17 @@ class StraightTcpPath:
         self.length = length
 
     def leave(self, zone: float, clip: float) -> Crossing:
-        """Return the place at which a zone [m] round the end begins, at least `clip`."""
+        """Return the path parameter at which a zone [m] round the end begins, at least `clip`."""
         s = max(clip, self.length - zone)
         return s, abs(s - self.length)
 
     def enter(self, zone: float, clip: float) -> Crossing:
-        """Return the place at which a zone [m] round the start ends, at most `clip`."""
+        """Return the path parameter at which a zone [m] round the start ends, at most `clip`."""
         s = min(clip, zone)
         return s, s
 
     def distance(self, s: float, other: float) -> float:
-        """Return the distance of two places [m]."""
+        """Return the distance of two path parameters [m]."""
         return abs(s - other)
 
 
@@ -92,7 +92,7 @@ class _EvaluatedTcpPath:
         self.length = joints.length
 
     def _positions(self, s: Array) -> Array:
-        """Return TCP positions [m] at places, (k,) to (k, 3)."""
+        """Return TCP positions [m] at path parameters, (k,) to (k, 3)."""
         if self._tool is not None:
             return self._tool.positions(s)
         matrices = forward_batch(self._robot, self._joints.joints(s).q)
@@ -125,7 +125,7 @@ class _ArmTcpPath(_EvaluatedTcpPath):
         return self._searched(zone, min(clip, self.length), 0.0)
 
     def _searched(self, zone: float, clip: float, from_end: float) -> Crossing:
-        """Return where the way is in a zone at most `clip` from the end (1.0) or the start (0.0)."""
+        """Return where the path is in a zone at most `clip` from the end (1.0) or the start (0.0)."""
         kind, begin, length, size, flat, _ = self._rows
         chain, rows = self._chain, np.concatenate(flat).reshape(size, -1)
         requested = np.array([(self.length, zone, clip, from_end, kind, begin, length, 0.0, size)])

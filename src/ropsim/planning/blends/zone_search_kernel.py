@@ -21,16 +21,16 @@ from ropsim.motion import (
 from ropsim.spatial import Array
 
 LENGTH, ZONE, CLIP, FROM_END, KIND, BEGIN, WHOLE, FIRST, LAST = range(9)
-"""What is asked for, see `zones_of_arm`."""
+"""Columns of requests, see `zones_of_arm`."""
 PARAMETER, DISTANCE = range(2)
-"""What becomes of it."""
+"""Columns of results."""
 SIDE_BY_SIDE = 16
-"""Paths that are searched together: what each looks at one place at a time is computed at once then."""
+"""Number of paths searched together, so that their samples are evaluated at once."""
 PARAMETERS, STATE = 3, 4
-"""Rows of looks, behind those that `next_samples` knows."""
+"""Rows of samples, behind those of `next_samples`."""
 COUNT, ENDS, CENTRED, X, Y, Z, HELD = range(7)
-"""What is held of a search: how many places it looks at, 0 when it is over; 1 once the place is found, and
-once the centre of the zone is known; that centre [m]. How many numbers that is.
+"""State of a search: the number of samples, 0 at its end; 1 once the path parameter is found, and once the
+centre of the zone is known; that centre [m]; the size of the state.
 """
 
 
@@ -39,7 +39,7 @@ class SearchPaths(NamedTuple):
 
     Attributes:
         shares: as for `next_samples`.
-        nodes: likewise.
+        nodes: as for `next_samples`.
         chain: `ChainArrays.flat` of the arm, of m steps.
         spread: `ChainArrays.spread`, shape (m or 0, n + 1).
         rows: of all paths, see `PathRows`, shape (r, n).
@@ -95,8 +95,8 @@ def zones_of_arm(paths: SearchPaths, requested: Array2, work: SearchWork) -> Non
         paths: of the arm.
         requested: length of each path, the zone [m], greatest distance from that end along the path, 1.0 for
             the end of the path, 0.0 for its start; then kind, begin and length of `PathRows`, the first row
-            of the path and that after its last one; becomes the place, and the distance of the TCP there [m];
-            shape (k, 9).
+            of the path and that after its last one; becomes the path parameter, and the distance of the TCP
+            there [m]; shape (k, 9).
         work: buffers.
     """
     samples, held, poses_at, poses = work.samples, work.held, work.poses_at, work.poses
@@ -127,7 +127,7 @@ def _ask(paths: SearchPaths, requested: Array, work: SearchWork) -> int:
         one, parameters, state = requested[k], samples[k, PARAMETERS], samples[k, STATE]
         next_samples(paths.shares, paths.nodes, one[ZONE], one[CLIP], samples[k], state)
         count = int(state[SAMPLE_COUNT])
-        if count == 0:  # how far it is at the place that was found
+        if count == 0:  # the distance at the path parameter that was found
             count, held[k, ENDS] = 1, 1.0
             samples[k, SAMPLE_PARAMETERS, 0] = state[FOUND_PARAMETER]
         held[k, COUNT] = count
@@ -149,7 +149,7 @@ def _ask(paths: SearchPaths, requested: Array, work: SearchWork) -> int:
 
 
 def _answer(tcps: Array, poses_at: Array, requested: Array, samples: Array, held: Array) -> None:
-    """Tell searches how far the TCP is from the centre, at first from where it is at the first place."""
+    """Write the squared distances of the TCP from the centre, which is its position at the first sample."""
     at = 0
     for k in range(requested.shape[0]):
         tcp, count = tcps[k], int(held[k, COUNT])

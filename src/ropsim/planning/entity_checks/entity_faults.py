@@ -19,7 +19,7 @@ An entity of the controller that you have put into the chain, or a path of your 
 returned what nobody can follow: arrays of another shape, numbers that are not finite, a path that begins or
 ends elsewhere, derivatives that are not those of its poses. The move is skipped and the program goes on, so
 that one run shows every such line. Where a path corrector fails, the move goes on with the shift that it has;
-where a sensor fails, its reading counts as not valid, and this is told once for each channel and line.
+where a sensor fails, its reading counts as not valid, and this is reported once for each channel and line.
 
 The message names the entity and what it did. docs/how-to/own-planner.md says what each entity is given and
 has to return.

@@ -34,7 +34,7 @@ def wrong_tool_derivatives(
     Args:
         entity: who is named.
         path: to be checked; of usable shape.
-        points: places of it, by which the size of derivatives is known.
+        points: path parameters of it, by which the size of derivatives is known.
         move: its move.
     """
     return _unlike(
@@ -61,7 +61,7 @@ def wrong_joint_derivatives(
     Args:
         entity: who is named.
         path: to be checked; of usable shape.
-        points: places of it, by which the size of derivatives is known.
+        points: path parameters of it, by which the size of derivatives is known.
         move: its move.
     """
     around = partial(_around, entity, path.joints, JointPoints)
@@ -84,7 +84,7 @@ def _around(
     step: float,
     move: MoveInstruction,
 ) -> tuple[P, P, P] | Refusal:
-    """Return the derivatives of a path a step before, at and a step behind the places."""
+    """Return the derivatives of a path a step before, at and a step behind the path parameters."""
     found: list[P] = []
     for offset in (-step, 0.0, step):
         points = guarded(entity, partial(sample, _middles(length) + offset), (kind,), move)
@@ -137,7 +137,7 @@ def _sides(around: tuple[P, P, P], moved: Sequence[Array], step: float) -> Mappi
     """Return how far derivatives are from differences on either side, shape (k, m) each.
 
     Args:
-        around: derivatives of a path before, at and behind the places.
+        around: derivatives of a path before, at and behind the path parameters.
         moved: how it goes from each of these to the next one.
         step: from one to the next.
     """

@@ -54,7 +54,7 @@ def arm_bounds(robot: RobotModel, payload: Payload) -> ArmBounds:
 def slowed_findings(
     moves: Sequence[PlannedMove], ends: Sequence[float], slowed: Sequence[Slowed], robot: RobotModel
 ) -> tuple[Diagnostic, ...]:
-    """Return M563 for each move that is slowed, at its slowest place.
+    """Return M563 for each move that is slowed, where it is slowest.
 
     Args:
         moves: the moves.

@@ -35,7 +35,7 @@ def binding_constraints(
     (`critical_tool`), and external axes that go along against the speed that they may have then.
 
     Args:
-        plan: of a stretch.
+        plan: of a motion sequence.
         robot: the arm.
         payload: tool and part as one body, as used in planning.
     """
@@ -108,13 +108,13 @@ def _joints(
     """Return the evaluated ticks of moves, and the longest-binding joint limit of each.
 
     Args:
-        plan: of a stretch.
+        plan: of a motion sequence.
         evaluated: the moves.
         bounds: of the arm.
 
     Returns:
-        the looks; for each move the number of the limit, n for each of `_QUANTITIES`, and the share of its
-        looks.
+        the samples; for each move the number of the limit, n for each of `_QUANTITIES`, and the share of its
+        samples.
     """
     m, n = len(evaluated), plan.reference.q.shape[1]
     q, qd, qdd = map(np.ascontiguousarray, (plan.reference.q, plan.reference.qd, plan.reference.qdd))

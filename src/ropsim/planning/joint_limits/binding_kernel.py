@@ -20,17 +20,17 @@ def sample_moves(
     starts: Array1,
     rows: Array3,
 ) -> None:
-    """Choose the control ticks at which moves are looked at, evenly spaced, and copy their rows.
+    """Choose the control ticks at which moves are evaluated, evenly spaced, and copy their rows.
 
     Args:
         q: coordinates at all control ticks [rad | m], shape (ticks, n).
-        qd: speeds [rad/s | m/s], likewise.
-        qdd: accelerations [rad/s² | m/s²], likewise.
+        qd: speeds [rad/s | m/s], of the same shape.
+        qdd: accelerations [rad/s² | m/s²], of the same shape.
         spans: the last tick before each of m moves begins, and the last one on it, shape (m, 2).
-        most: looks at a move, at most.
-        samples: where the numbers of the ticks go, without the last one of each move, shape (room,).
-        starts: becomes the first look at each move, and how many there are, k, shape (m + 1,).
-        rows: where coordinates, speeds and accelerations there go, shape (3, room, n).
+        most: samples at a move, at most.
+        samples: where the numbers of the ticks go, without the last one of each move, shape (size,).
+        starts: becomes the first sample of each move, and how many there are, k, shape (m + 1,).
+        rows: where coordinates, speeds and accelerations there go, shape (3, size, n).
     """
     n, k = q.shape[1], 0
     for m in range(spans.shape[0]):
@@ -76,9 +76,9 @@ def limits_reached(
     Args:
         qd: speeds at all control ticks [rad/s | m/s], shape (ticks, n).
         qdd: accelerations [rad/s² | m/s²], shape (ticks, n).
-        samples: numbers of the k ticks that are looked at, none of them the last one, shape (k,).
-        starts: the first look at each of m moves, and k, shape (m + 1,).
-        torque: at the looks [N m | N], shape (k, n).
+        samples: numbers of the k ticks that are evaluated, none of them the last one, shape (k,).
+        starts: the first sample of each of m moves, and k, shape (m + 1,).
+        torque: at the samples [N m | N], shape (k, n).
         most: limits of speed, acceleration, torque and jerk of each move, shape (m, 4, n).
         period: of the control ticks [s].
         share: of a limit from which on it counts as reached.
@@ -119,18 +119,18 @@ def four_in_sequence(
     reached_here: Array1,
     starts_here: Array1,
 ) -> None:
-    """Copy four rows from each look on, of the moves that are chosen; behind the last row that goes on.
+    """Copy four rows from each sample on, of the moves that are chosen; behind the last row that goes on.
 
     Args:
         q: coordinates at all control ticks [rad | m], shape (ticks, n).
-        samples: numbers of the ticks that are looked at, shape (room,).
-        reached: what else is known of each look, shape (room,).
-        starts: the first look at each of m moves, and how many there are, shape (m + 1,).
+        samples: numbers of the ticks that are evaluated, shape (size,).
+        reached: what else is known of each sample, shape (size,).
+        starts: the first sample of each of m moves, and how many there are, shape (m + 1,).
         chosen: numbers of the moves, rising, shape (t,).
-        rows: where the rows go, one behind the other, shape (4·room, n).
-        samples_here: becomes `samples` of these moves alone, shape (room,).
-        reached_here: likewise `reached`.
-        starts_here: likewise `starts`, shape (t + 1,).
+        rows: where the rows go, one behind the other, shape (4·size, n).
+        samples_here: becomes `samples` of these moves alone, shape (size,).
+        reached_here: as `reached`.
+        starts_here: as `starts`, shape (t + 1,).
     """
     k, last = 0, q.shape[0] - 1
     for c in range(chosen.shape[0]):
@@ -150,7 +150,7 @@ def four_in_sequence(
 def tool_on_segments(
     poses: Array3, starts: Array1, tools: Array3, samples: Array1, path_segments: Array2, on: Array1
 ) -> None:
-    """Put the tools on, and write on which path segments looks lie; see `put_on` and `segment_numbers`."""
+    """Put the tools on, and write on which path segments samples lie; see `put_on` and `segment_numbers`."""
     put_on(poses, starts, tools)
     count = int(starts[tools.shape[0]])
     segment_numbers(samples[:count], path_segments, on[:count])
@@ -161,8 +161,8 @@ def put_on(poses: Array3, starts: Array1, tools: Array3) -> None:
     """Make poses of the tool of those of the flange.
 
     Args:
-        poses: at four ticks in a row from each of k looks on, one behind the other, shape (4·k, 4, 4).
-        starts: the first look at each of m moves, and k, shape (m + 1,).
+        poses: at four ticks in a row from each of k samples on, one behind the other, shape (4·k, 4, 4).
+        starts: the first sample of each of m moves, and k, shape (m + 1,).
         tools: the tool frame X_MT of each move, shape (m, 4, 4).
     """
     for m in range(tools.shape[0]):
@@ -177,10 +177,10 @@ def put_on(poses: Array3, starts: Array1, tools: Array3) -> None:
 
 @kernel
 def segment_numbers(samples: Array1, path_segments: Array2, on: Array1) -> None:
-    """Write the numbers of the path segments on which looks lie.
+    """Write the numbers of the path segments on which samples lie.
 
     Args:
-        samples: numbers of the ticks that are looked at, rising, shape (k,).
+        samples: numbers of the ticks that are evaluated, rising, shape (k,).
         path_segments: the last tick before each of them begins, and the last one on it, rising, shape (p, 2).
         on: where the answers go, -1.0 for no path segment, shape (k,).
     """
@@ -211,19 +211,19 @@ def tool_reached(
     Samples of a move on one path segment are taken together, and so are those that lie on none.
 
     Args:
-        poses: of the tool at four ticks in a row from each of k looks on, in the frame of the path segment,
+        poses: of the tool at four ticks in a row from each of k samples on, in the frame of the path segment,
             one behind the other, shape (4·k, 4, 4).
-        starts: the first look at each of m moves, and k, shape (m + 1,).
-        on: number of the path segment on which each look lies, -1.0 for none, shape (k,).
+        starts: the first sample of each of m moves, and k, shape (m + 1,).
+        on: number of the path segment on which each sample lies, -1.0 for none, shape (k,).
         least: from which on a step, a change of it, and a change of that count as at the limit: of the
             position [m], then of the orientation [rad], shape (m, 2, 3).
-        used: whether another limit is reached at a look, else 0, shape (k,).
+        used: whether another limit is reached at a sample, else 0, shape (k,).
         counts: where the answers go, first of the position, then of the orientation, 0 where that stays the
-            same from the first look on a path segment to the last; shape (m, 6).
+            same from the first sample on a path segment to the last; shape (m, 6).
         longest: becomes the number of the greatest answer for each move, 0 to 2 for speed, acceleration and
             jerk, and that, shape (m, 2).
-        idle: becomes the number of the path segment for a look at which no limit is reached, else -1.0, shape
-            (k,).
+        idle: becomes the number of the path segment for a sample at which no limit is reached, else -1.0,
+            shape (k,).
     """
     for m in range(least.shape[0]):
         begin, end = int(starts[m]), int(starts[m + 1])
@@ -252,7 +252,7 @@ def tool_reached(
 def _count(
     poses: Array, on: Array, first: int, last: int, least: Array, used: Array, counts: Array, idle: Array
 ) -> None:
-    """Count the looks from one to another one that lie on the same path segment as these."""
+    """Count the samples from one to another that lie on the same path segment as these."""
     turns = False
     for i in range(3):
         for j in range(3):
@@ -287,7 +287,7 @@ def _squares(X: Array, kind: int) -> tuple[float, float, float]:
 
 
 def _step(X: Array, tick: int, kind: int, axis: int) -> float:
-    """Return what one axis of the tool does from a tick to the next: its way, or its small turn."""
+    """Return what one axis of the tool does from a tick to the next: its shift, or its small turn."""
     if kind == 0:
         return float(X[tick + 1, axis, 3] - X[tick, axis, 3])
     a, b = (axis + 2) % 3, (axis + 1) % 3

@@ -30,9 +30,9 @@ class TickSamples:
     """Control ticks of a plan at which its moves are evaluated; in arrays that may be longer.
 
     Attributes:
-        ticks: their numbers, shape (room,).
+        ticks: their numbers, shape (size,).
         starts: the first of them at each of m moves, and how many there are, k, shape (m + 1,).
-        reached: 1.0 where a joint is at one of its limits, else 0.0, shape (room,).
+        reached: 1.0 where a joint is at one of its limits, else 0.0, shape (size,).
     """
 
     ticks: Array
@@ -47,11 +47,11 @@ def binding_of_tools(
     samples: TickSamples,
     robot: RobotModel,
 ) -> list[tuple[LimitQuantity, float]]:
-    """Return the limit of the tool that each move is at for longest, and for which share of the looks.
+    """Return the limit of the tool that each move is at for longest, and for which share of the samples.
 
     Rates are expressed in the frame of the path, by differences of the poses at four ticks in a row. Where
-    the path is bent and no limit is reached, of the tool or of a joint, the bend sets the time: a tool that
-    turns off its way needs a part of its acceleration and jerk for that, and planning leaves it.
+    the path is bent and no limit is reached, of the tool or of a joint, the bend sets the time: a bent path
+    needs a part of its acceleration and jerk for that, and planning leaves it.
 
     Args:
         plan: of a sequence.
@@ -81,7 +81,7 @@ def _counts(
     samples: TickSamples,
     robot: RobotModel,
 ) -> tuple[list[float], list[list[float]], Array]:
-    """Return at how many looks limits are reached, and on which path segment each look lies at which none is.
+    """Return at how many samples limits are reached, and the path segment of each sample without one.
 
     Args:
         plan: of a sequence.
@@ -128,7 +128,7 @@ def _bent_samples(plan: MotionPlan, idle: list[float]) -> int:
 
     Args:
         plan: of a sequence.
-        idle: on which path segment each look lies at which no limit is reached, else -1.0.
+        idle: on which path segment each sample lies at which no limit is reached, else -1.0.
     """
     bent = 0
     for number in set(idle):
@@ -153,7 +153,7 @@ def _least(limits: ToolLimits, T: float) -> Array:
 
 
 def _is_bent(path: ToolPath) -> bool:
-    """Return whether a path turns off its way, or its orientation off its turn."""
+    """Return whether a path is bent, or its orientation leaves its turn."""
     if constant_derivatives(path) is not None:
         return False
     points = path.tool(_SHARES * path.length)

@@ -60,8 +60,8 @@ class ReferenceRows(NamedTuple):
     Attributes:
         phi: nominal times, rising [s], shape (k,).
         q: joint coordinates [rad | m], shape (k, n).
-        qd: speeds [rad/s | m/s], likewise.
-        qdd: accelerations [rad/s² | m/s²], likewise.
+        qd: speeds [rad/s | m/s], of the same shape.
+        qdd: accelerations [rad/s² | m/s²], of the same shape.
     """
 
     phi: Array1

@@ -1,4 +1,4 @@
-"""Between which times and places cells lie, in loops that numba compiles."""
+"""Between which times and path parameters cells lie, in loops that numba compiles."""
 
 from math import ceil, inf, log, sqrt
 from typing import NamedTuple
@@ -14,7 +14,7 @@ SPEED, ACCELERATION, JERK = range(3)
 PARAMETER, TIME, FIRST_BOUND, PATH_SEGMENT = 0, 1, 2, 5
 """Rows of cells."""
 MOST_PARTS = 64
-"""Into which a way is divided, at most."""
+"""Into which an interval is divided, at most."""
 STEEP = 0.4
 """Greatest change of the logarithm of the speed that joints allow between two times, about."""
 
@@ -25,14 +25,14 @@ def cell_times(
 ) -> None:
     """Write nominal times that are about one real time apart, as dense as a motion must be slow there.
 
-    Even ways between two times are divided by the rate that they and their neighbours leave, and where the
-    speed that joints allow changes steeply.
+    Equal intervals between two times are divided by the rate that they and their neighbours leave, and where
+    the speed that joints allow changes steeply.
 
     Args:
         used: of the limits at control ticks, in the order of `Quantity`, shape (4, k).
         phi: nominal times of the ticks, rising [s], shape (k,).
         duration: nominal time at the end [s].
-        intervals: room to work in for w even ways, shape (2, w).
+        intervals: work for w equal intervals, shape (2, w).
         times: where they go, from 0 to the end, rising, shape (64 · w + 1,).
         result: where their number goes, shape (1,).
     """
@@ -107,14 +107,14 @@ def lay_grid(
     law: Array2,
     out: GridLines,
 ) -> None:
-    """Write the cells of a part, between the places where it is at times, and where path limits end.
+    """Write the cells of a part, between the path parameters where it is at times, and where path limits end.
 
     Args:
         section: its times.
         times: nominal times, rising [s], shape (k,).
         path_limits: length, and bounds of speed, acceleration and jerk of each path limit, shape (s, 4).
         counts: how many path limits each path segment has, shape (p,).
-        near: below this share of the part a place and the end of a path limit are one.
+        near: below this share of the part a path parameter and the end of a path limit are one.
         inner: work, shape (k,).
         law: work, shape (4, k).
         out: the results.
@@ -151,7 +151,7 @@ def lay_grid(
 
 
 def _begin(path_limits: Array, counts: Array, begins: Array) -> None:
-    """Write the places at which path segments begin, and the end of the last one."""
+    """Write the path parameters at which path segments begin, and the end of the last one."""
     begins[0], limit, s = 0.0, 0, 0.0
     for path_segment in range(counts.shape[0]):
         for _ in range(int(counts[path_segment])):

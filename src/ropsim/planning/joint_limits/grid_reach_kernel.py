@@ -36,9 +36,9 @@ def reach_of(
         imposed: in columns kind, value, number of the tick, joint, quantity; of shape (5, h or more).
         count: of them, h.
         parameters: from which and up to which caps of a tick count, of b ticks, rising, shape (2, b).
-        borders: places between which the cells lie, shape (c + 1,).
+        borders: path parameters between which the cells lie, shape (c + 1,).
         before: present bounds of speed, acceleration and jerk, shape (3, c).
-        ticks: room to work in, shape (4, b).
+        ticks: work, shape (4, b).
         reach: where the cells go, shape (2, h or more).
     """
     most = borders.shape[0] - 2
@@ -79,7 +79,7 @@ def _count_successive(parameters: Array, ticks: Array) -> None:
 
 
 def _cell_of(borders: Array, s: float, near: int) -> int:
-    """Return the cell in front of the first border behind a place, searched first at one and behind it.
+    """Return the cell before the first border behind a path parameter, searched first near one.
 
     It is -1 in front of all cells, and their number behind them.
     """

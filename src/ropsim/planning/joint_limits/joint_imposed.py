@@ -39,7 +39,7 @@ class EvaluatedPath:
         speeds: along it, shape (2, b).
         accelerations: along it, shape (2, b).
         jerks: along it, behind these times, shape (2, b).
-        d1: first derivatives of the joints by the place, shape (2, b, n).
+        d1: first derivatives of the joints by the path parameter, shape (2, b, n).
         d2: second ones.
         q: joint coordinates at the ticks [rad | m], shape (b, n).
         qd: speeds [rad/s | m/s], of all motions that go on, shape (b, n).

@@ -13,7 +13,7 @@ MOST_AT_ONCE = 0.5
 GREAT = 0.02
 """Least share that a part must have in a sum to be brought down for it."""
 OWN = 0.5
-"""A path with a greater share in a sum than this, but in no part of it, is walked slower as a whole."""
+"""A path with a greater share in a sum than this, but in no part of it, is traversed slower as a whole."""
 SPEED, ACCELERATION, JERK = range(3)
 """Kinds of bounds along a path; rows of limits, too."""
 TORQUE = 3
@@ -25,8 +25,8 @@ class AlongPath(NamedTuple):
 
     Attributes:
         speeds: along the path, shape (2·b,).
-        accelerations: likewise.
-        jerks: behind each of these times, likewise.
+        accelerations: of the same shape.
+        jerks: behind each of these times, of the same shape.
         d1: first derivatives of the joints by the path parameter, shape (2·b, n).
         d2: second ones.
     """
@@ -77,7 +77,8 @@ def limits_imposed(
         period: of the ticks [s].
         used: share of the limits that is aimed at.
         allowed: what may be used of a limit, 1 and rounding.
-        imposed: where they go: kind, value, number of the tick, joint, quantity, with room, shape (5, 5·b·n).
+        imposed: where they go: kind, value, number of the tick, joint, quantity, of at least shape (5,
+            5·b·n).
         count: becomes their number, shape (1 or more,).
     """
     speeds, accelerations, jerks, d1, d2 = path

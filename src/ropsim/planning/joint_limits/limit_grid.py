@@ -1,4 +1,4 @@
-"""Bounds along a part of a stretch in cells, which joints that cannot follow bring down."""
+"""Bounds along a part of a motion sequence in cells, which joints that cannot follow bring down."""
 
 import numpy as np
 
@@ -34,7 +34,7 @@ class LimitGrid:
 
     Attributes:
         part: the planned section.
-        begins: places at which its path segments begin, and the end of the last one, shape (p + 1,).
+        begins: path parameters at which its path segments begin, and the end of the last one, shape (p + 1,).
         moves: number of the move of each path segment, shape (p,).
         borders: from its start on, path limits and path segments end at some of them, shape (c + 1,).
         times: at which the planned section is at the borders, from its start on [s], shape (c + 1,).
@@ -60,7 +60,7 @@ class LimitGrid:
         """Return the same with bounds no higher than caps, and by as many steps lower than planned.
 
         Args:
-            caps: joint-imposed limits, and their places.
+            caps: joint-imposed limits, and their path parameters.
         """
         out = LoweredBounds(np.empty(self.bounds.shape), self.causes.copy(), np.empty(1))
         ticks, reach = np.empty((4, caps.parameters.shape[1])), np.empty((2, caps.rows.shape[1]))
@@ -102,11 +102,11 @@ def limit_grid_of(part: Section, times: Array, start: float) -> LimitGrid:
     """Return the cells of a part.
 
     Args:
-        part: of the stretch, with path limits.
+        part: of the motion sequence, with path limits.
         times: between which cells lie [s], rising, shape (m,); only times on the section count.
         start: of them at which the part begins [s].
     """
-    # rooms of a part are as large as that, not as the stretch: rounding may take one time more at each end
+    # buffers have the size of the section: rounding may take one time more at each end
     first, last = times.searchsorted((start, start + part.law.duration)).tolist()
     times = times[max(first - 1, 0) : last + 1]
     count, rows, counts = len(times), part.path_limits.rows, part.counts.astype(np.float64)

@@ -112,7 +112,7 @@ def limits_of_cells(
     """Write the path limits of bands: neighbours on one path segment with the same bounds are one.
 
     Args:
-        borders: places between which the cells lie, shape (c + 1,).
+        borders: path parameters between which the cells lie, shape (c + 1,).
         bounds: of speed, acceleration and jerk, shape (3, c).
         owners: number of the path segment that a cell lies on, rising, shape (c,).
         moves: number of the move of each path segment, rising, shape (p,).

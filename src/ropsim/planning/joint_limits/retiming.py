@@ -13,7 +13,7 @@ from ropsim.planning.trajectory.trajectory import Trajectory
 from ropsim.spatial import record
 
 _SPACING = 8e-3
-"""Real time between two places at which a motion is planned with that is slowed, about [s]."""
+"""Real time between two grid points of a motion that is slowed, about [s]."""
 _NARROW_SPACING = 4e-3
 """The same where the tool is led, for how joints follow it is less even, and where torque is too much."""
 _FIRST_SPACING = 4e-3
@@ -32,7 +32,7 @@ class Retiming:
 
     Attributes:
         motion: of the sequence by its timing, before nominal time goes slower.
-        retimed: how it goes; Beyond where no speed can do.
+        retimed: how it goes; Infeasible where no speed helps.
         slowed: where it is slower than it was planned.
     """
 

@@ -11,7 +11,7 @@ from ropsim.planning.trajectory.timing import Timing
 
 
 def slowed_in(planned: Timing, timing: Timing, grids: Mapping[int, LimitGrid]) -> tuple[Slowed, ...]:
-    """Return the ways between two places that are slower, in order of time.
+    """Return the slower spans between two path parameters, in order of time.
 
     The loss of speed counts as a share of the greatest speed on the part, so that a start that is somewhat
     less steep is no standstill.

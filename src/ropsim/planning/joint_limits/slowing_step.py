@@ -35,7 +35,7 @@ def slower_section(
     """Return the cells of a section as caps at ticks bring them down, and its part with them.
 
     Args:
-        motion: of the stretch.
+        motion: of the motion sequence.
         reference: of it, at the evaluated ticks.
         number: of the section.
         grid: of it.

@@ -57,7 +57,7 @@ def follow_wrist(
         T: poses X_BM, shape (k, 4, 4).
         q_start: as there.
         q: where the coordinates go [rad | m], shape (k, 6).
-        rows: room for branches, shape (1, 8 or more, 6).
+        rows: work for branches, shape (1, 8 or more, 6).
         work: to work in, shape (ROOM_OF_ROWS,) or more.
         result: as there, shape (2,) or more.
     """

@@ -12,15 +12,15 @@ from ropsim.spatial import Array
 FEWEST = 16
 """Steps of the shortest path."""
 SAMPLES = 4
-"""Steps between the places at which speed and rotation of a path are evaluated."""
+"""Steps between the path parameters at which speed and rotation of a path are evaluated."""
 
 
 @frozen_dataclass
 class StandardInterpolator:
-    """Samples a path at equally spaced places, not further apart than a way and a turn of the tool.
+    """Samples a path at equal steps, no longer than a distance and a turn of the tool.
 
     Attributes:
-        distance: longest way of the TCP between two samples [m].
+        distance: longest distance of the TCP between two samples [m].
         turn: largest turn of the tool between two samples [rad].
     """
 
@@ -47,7 +47,7 @@ class StandardInterpolator:
 
 
 def even_parameters(length: float, steps: int) -> Array:
-    """Return the places between equal steps from 0 to a length, bit by bit as `numpy.linspace` does."""
+    """Return path parameters at equal steps from 0 to a length, to the bit as `numpy.linspace`."""
     found = np.arange(steps + 1, dtype=np.float64) * (length / steps)
     found[-1] = length
     return np.asarray(found)

@@ -14,7 +14,7 @@ class StandardJointInterpolator:
         """Return the path of the joints through samples.
 
         Args:
-            samples: at equally spaced places, two or more rows.
+            samples: at equally spaced path parameters, two or more rows.
         """
         return SampledPath(samples.length, samples.q)
 
@@ -22,7 +22,7 @@ class StandardJointInterpolator:
         """Return the same, and how far the path through every second sample passes the others [rad | m].
 
         Args:
-            samples: at equally spaced places, two or more rows.
+            samples: at equally spaced path parameters, two or more rows.
 
         Returns:
             the path and that distance at each sample between, shape (m,) for 2·m + 1 samples; None for it

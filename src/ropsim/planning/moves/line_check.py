@@ -24,7 +24,7 @@ _SAME_JOINTS = 1e-6  # [rad | m]
 
 @record
 class Line:
-    """A line on its way through the inverse transform.
+    """A line in the inverse transform.
 
     Attributes:
         move: its instruction.
@@ -51,7 +51,7 @@ class Line:
         return rows
 
     def share(self, row: int) -> float:
-        """Return which share of the way lies behind setpoint `row`."""
+        """Return which share of the path lies behind setpoint `row`."""
         return min(row / (len(self.setpoints.matrices) - 1), 1.0)
 
 

@@ -48,11 +48,11 @@ from ropsim.spatial import Array, Pose, frozen, record
 
 @record
 class StandardPathPlanner:
-    """Plans PTP moves as ways in joint space, all others by the table of tool paths.
+    """Plans PTP moves as paths in joint space, all others by the table of tool paths.
 
     A move takes external axes to the values of its target, and leaves them unchanged without any; they begin
-    and end together with the arm. On a path of the tool they move evenly with its place; where they move the
-    task frame in force, the path is one in that frame. The target is solved where they end.
+    and end together with the arm. On a path of the tool they move evenly with its path parameter; where they
+    move the task frame in force, the path is one in that frame. The target is solved where they end.
 
     Every move is validated and its target brought into the base frame; a move that cannot be planned is
     refused with all reasons. Speed override and PTP speed share scale the speed limits, the PTP acceleration
@@ -160,7 +160,7 @@ class StandardPathPlanner:
         return self._with_joints(so_far, q_start, choice.q)
 
     def _with_joints(self, so_far: PlannedPath, q_start: Array, q_end: Array) -> PlannedPath:
-        """Return the plan of a PTP move; without a path where no joint has a way to go."""
+        """Return the plan of a PTP move; without a path where no joint moves."""
         if max(map(abs, (q_end - q_start).tolist())) <= ZERO_LENGTH:
             return so_far
         joints: JointPath = JointLine(q_start, q_end)

@@ -22,7 +22,7 @@ from ropsim.spatial import Array, Pose, record
 
 @record
 class WristPlanner:
-    """Leads a tool along a way by turning the joints of the wrist smoothly from point to point.
+    """Leads a tool along a path by turning the joints of the wrist smoothly from point to point.
 
     Attributes:
         robot: the arm with its external axes.
@@ -35,7 +35,7 @@ class WristPlanner:
     def planned(
         self, move: MoveInstruction, path: ToolPath, q_start: Array, so_far: PlannedPath
     ) -> PlannedPath | Refusal:
-        """Return the plan of a move with its joints, or why the wrist cannot lead it: M586, M503.
+        """Return the plan of a move with its joints, or why the wrist cannot be followed: M586, M503.
 
         Args:
             move: the instruction.

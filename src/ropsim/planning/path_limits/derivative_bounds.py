@@ -1,4 +1,4 @@
-"""How much a path bends: bounds of its derivatives by the place, cell by cell."""
+"""How much a path bends: bounds of its derivatives by the path parameter, cell by cell."""
 
 from collections.abc import Callable
 
@@ -10,7 +10,7 @@ from ropsim.planning.path_limits.derivative_bounds_kernel import ACROSS, ALONG, 
 from ropsim.spatial import Array, record
 
 Look = Callable[[Array], tuple[Array, Array]]
-"""From places (k,) to the first and second derivatives of p parts with c coordinates each, (k, p, c)."""
+"""Path parameters (k,) to first and second derivatives of p parts with c coordinates each, (k, p, c)."""
 
 _ROUNDS = 6
 """How often cells are halved at most."""
@@ -62,8 +62,8 @@ def derivative_bounds_of(sample: Look, grid: Array, limits: JointMotionLimits) -
 
     Args:
         sample: returns the derivatives.
-        grid: places from start to end, two or more, that are evaluated first; between them the path is
-            smooth; shape (m,).
+        grid: path parameters from start to end, two or more, that are evaluated first; between them the path
+            is smooth; shape (m,).
         limits: of the parts, each of shape (p,).
     """
     s = np.ascontiguousarray(grid, dtype=np.float64)

@@ -42,14 +42,15 @@ def bounds_of(
     speeds: Array1,
     loose: Array1,
 ) -> None:
-    """Write bounds of derivatives in the k cells between places; see `bends_of`.
+    """Write bounds of derivatives in the k cells between path parameters; see `bends_of`.
 
     Args:
-        s: places, rising, shape (k + 1,), k >= 3.
+        s: path parameters, rising, shape (k + 1,), k >= 3.
         d1: first derivatives of p parts there, with c coordinates each, shape (k + 1, p, c).
         d2: second ones.
         limits: of speed, acceleration and jerk of the parts, shape (3, p).
-        units: become 1 for parts whose first derivative has the size 1 at all places, else 0, shape (p,).
+        units: become 1 for parts whose first derivative has the size 1 at all path parameters, else 0, shape
+            (p,).
         work: to work in, shape (k, c + `SIZES`).
         bounds: where they go, rows as above, shape (10, k, p).
         speeds: where the highest speeds go at which bends take no more than their share, shape (k,).
@@ -111,7 +112,7 @@ def speeds_within(bounds: Array3, limits: Array2, out: Array1) -> None:
 
 
 def _unit(d1: Array, part: int) -> float:
-    """Return 1.0 if the first derivative of a part has the size 1 at all places, else 0.0."""
+    """Return 1.0 if the first derivative of a part has the size 1 at all path parameters, else 0.0."""
     for i in range(d1.shape[0]):
         if not abs(_size(d1[i, part]) - 1.0) <= UNIT:
             return 0.0
@@ -119,7 +120,7 @@ def _unit(d1: Array, part: int) -> float:
 
 
 def _stands(d1: Array, d2: Array, part: int) -> bool:
-    """Return whether a part does not move at any place."""
+    """Return whether a part does not move at any path parameter."""
     for i in range(d1.shape[0]):
         for c in range(d1.shape[2]):
             if not (d1[i, part, c] == 0.0 and d2[i, part, c] == 0.0):
@@ -143,7 +144,7 @@ def _write_thirds(s: Array, d2: Array, part: int, work: Array) -> None:
     """Write sizes of third derivatives, by the second ones at the ends of a cell and of the next one.
 
     Args:
-        s: places.
+        s: path parameters.
         d2: second derivatives.
         part: of the path.
         work: of each cell the mean third derivative, and behind its coordinates the four sizes as above.

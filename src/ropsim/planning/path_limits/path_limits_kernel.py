@@ -38,8 +38,8 @@ def bent_limits(
         lengths: of the cells, shape (k,).
         limits: of speed, acceleration and jerk of the parts, shape (3, p).
         share: of the highest speed that bends allow, at which they are traversed at most.
-        speeds: room to work in, shape (k,).
-        cells: room to work in, shape (k, 3).
+        speeds: work, shape (k,).
+        cells: work, shape (k, 3).
         out: where length, speed, acceleration and jerk go, and the greatest of the last three in any cell of
             the path limit, shape (k, 7).
         result: output for their number, shape (1,).

@@ -28,7 +28,7 @@ WHIRL = 0.25
 the tool or, where joints are slower all along, of that on half of the path."""
 
 NARROW = np.radians(5.0)
-"""Distance from a limit within which an axis that turns has little room [rad]."""
+"""Distance from a limit within which an axis that turns has little margin [rad]."""
 
 _STEPS = 64
 """Number of sections of a path in which the travel of the joints is compared."""

@@ -35,7 +35,7 @@ _SAME = 1e-6
 
 @record
 class CandidatePlan:
-    """A way through the first moves of a sequence.
+    """A candidate plan of the first moves of a sequence.
 
     Attributes:
         q: where it ends [rad | m], shape (n,).
@@ -70,7 +70,7 @@ def has_choice(move: MoveInstruction) -> bool:
 def search(
     chain: MotionChain, sequence: Sequence[MoveInstruction], q_start: Array, conflicts: Sequence[Conflict]
 ) -> CandidatePlan:
-    """Return the best way through a sequence.
+    """Return the best candidate plan of a sequence.
 
     That is the one on which most moves can be made, then fewest paths whirl the joints, then least is changed
     of the nearest postures, then fewest paths lead near to a joint limit, then the time is least.
@@ -79,7 +79,7 @@ def search(
         chain: the entities.
         sequence: moves in order.
         q_start: command joint coordinates at their start [rad | m], shape (n,).
-        conflicts: of the way of the nearest postures, in order; one or more.
+        conflicts: of the candidate plan of the nearest postures, in order; one or more.
     """
     limits = JointRange.of(chain.robot)
     bounds = [*(number for number, move in enumerate(sequence) if has_choice(move)), len(sequence)]
@@ -110,7 +110,7 @@ def search(
 
 @record
 class _Start:
-    """A way to the start of a PTP move, and the move as the planner makes it."""
+    """A candidate plan up to a PTP move, and the move as the planner makes it."""
 
     candidate: CandidatePlan
     nearest: PlannedMove
@@ -193,7 +193,7 @@ def _reason(conflicts: Sequence[Conflict], number: int) -> Conflict:
 def _onward(
     chain: MotionChain, limits: JointRange, candidate: CandidatePlan, moves: Sequence[MoveInstruction]
 ) -> CandidatePlan:
-    """Return the way with moves that have no choice, up to the first infeasible one."""
+    """Return the candidate plan with moves that have no choice, up to the first infeasible one."""
     q, time, conflicts, narrow = candidate.q, candidate.time, candidate.conflicts, candidate.narrow
     planned, refusal = planned_moves(chain, moves, q)
     for move in planned:

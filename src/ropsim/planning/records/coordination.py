@@ -16,11 +16,11 @@ _TURN, _DISTANCE = np.radians(2.0), 0.01  # of an axis between two samples [rad 
 
 @record
 class Coordination:
-    """External axes over the places of a path of the tool.
+    """External axes over the path parameters of a path of the tool.
 
     Attributes:
         robot: the arm with its m external axes.
-        axes: where these are at the places of the path.
+        axes: where these are at the path parameters of the path.
         frame: the frame K that they move and in which the path is given; None for one in the base frame.
         limits: of the external axes.
     """
@@ -38,7 +38,7 @@ class Coordination:
         """Return samples of the path as X_BT with the external axes: X_BT(s) = X_BK(axes(s)) · X_KT(s).
 
         Args:
-            setpoints: in the reference frame of the path, at equally spaced places.
+            setpoints: in the reference frame of the path, at equally spaced path parameters.
         """
         Q = self.rows(self.robot.home, np.linspace(0.0, setpoints.length, len(setpoints.matrices)))
         external = Q[:, list(self.robot.external)]
@@ -47,11 +47,11 @@ class Coordination:
         return PoseSetpoints(setpoints.length, self.frame.matrices(Q) @ setpoints.matrices, external)
 
     def rows(self, q: Array, s: Array) -> Array:
-        """Return coordinates of all axes, the external ones where they are at places of the path, (k, n).
+        """Return coordinates of all axes, with the external ones at path parameters of the path, (k, n).
 
         Args:
             q: the others [rad | m], shape (n,).
-            s: places, shape (k,).
+            s: path parameters, shape (k,).
         """
         Q = np.tile(q, (len(s), 1))
         Q[:, list(self.robot.external)] = self.axes.joints(s).q
@@ -80,7 +80,7 @@ def moved_axes(robot: RobotModel, q_start: Array, q_end: Array) -> tuple[int, ..
 def coordination_along(
     path: ToolPath, robot: RobotModel, q_start: Array, q_end: Array, frame: MovingFrame | None, share: float
 ) -> Coordination:
-    """Return external axes that move evenly with the place of a path: e(s) = e_start + (e_end - e_start)·s/L.
+    """Return external axes that move evenly with the path: e(s) = e_start + (e_end - e_start)·s/L.
 
     Args:
         path: of the tool, in the frame.
@@ -100,14 +100,14 @@ def coordination_along(
 def coordination_round(
     length: float, before: Coordination, leaves: float, behind: Coordination, enters: float
 ) -> Coordination:
-    """Return the external axes on the way round a blend, smoothly from one side to the other.
+    """Return the external axes on a blend, smoothly from one side to the other.
 
     Args:
-        length: of the way round the blend [m].
+        length: of the blend [m].
         before: along the path before, seen from the frame of the blend.
-        leaves: its place at which the blend begins [m].
+        leaves: its path parameter at which the blend begins [m].
         behind: along the path behind, seen from the same frame.
-        enters: its place at which the blend ends [m].
+        enters: its path parameter at which the blend ends [m].
     """
     first, last = (one.axes.joints(np.array([s])) for one, s in ((before, leaves), (behind, enters)))
     least = (

@@ -41,7 +41,7 @@ class Interpolator(Protocol):
     """Samples a path of the tool, so densely that the joints are smooth between two samples."""
 
     def sample(self, path: ToolPath, sampling: int) -> PoseSetpoints:
-        """Return the poses at equally spaced places, from the start of the path to its end.
+        """Return the poses at equally spaced path parameters, from the start of the path to its end.
 
         Args:
             path: of the tool.

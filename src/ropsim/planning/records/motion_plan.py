@@ -33,7 +33,7 @@ class MotionState:
 
 @record
 class TimedSegment:
-    """A part of a plan: of the path of a move, or the way round a blend.
+    """A part of a plan: of the path of a move, or the path of a blend.
 
     Attributes:
         path: of the tool, in the base frame or that which is moved; None for one in joint space.
@@ -60,7 +60,7 @@ class TimedMove:
         q_end: command joint coordinates at its target [rad | m], shape (n,).
         last: control tick of the plan at which it ends: the middle of its blend, or the end of the plan.
         zone: distance from its target at which the path goes on to the next move [m]; 0 where it stops.
-        triggers: outputs that are set on its way, in order of time.
+        triggers: outputs that are set on its path, in order of time.
         limits: its limits; None without motion.
         on_tool_path: whether it is on a path of the tool.
     """

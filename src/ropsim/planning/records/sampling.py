@@ -11,7 +11,7 @@ the samples divides it by 64, so the path through all of them is true to about 1
 
 
 def denser(sampling: int, error: float | None) -> int:
-    """Return the density after one at which the way through the samples is too rough.
+    """Return the density after one at which the path through the samples is too rough.
 
     Args:
         sampling: how many times more samples than at first were taken.

@@ -30,13 +30,13 @@ class PlannedTrigger:
 
 @record
 class AchievedPath:
-    """The way of a move in control ticks.
+    """The path of a move in control ticks.
 
     Attributes:
         robot: the arm.
         X_MT: the tool.
         q: references at the control ticks of the move, its start first [rad | m], shape (k + 1, n).
-        frame: from which the way is seen where external axes move it; None for the base frame.
+        frame: from which the path is seen where external axes move it; None for the base frame.
     """
 
     robot: RobotModel
@@ -61,14 +61,14 @@ def trigger_ticks(
 
     Args:
         move: the instruction.
-        achieved: its way.
+        achieved: its path.
         first: control tick of the plan at which the move starts.
         period: time of a control tick [s].
     """
     if not move.triggers:
         return (), ()
     steps = np.linalg.norm(np.diff(achieved.positions(), axis=0), axis=1)
-    behind = np.concatenate(([0.0], np.cumsum(steps)))  # way from the start [m], (k + 1,)
+    behind = np.concatenate(([0.0], np.cumsum(steps)))  # distance from the start [m], (k + 1,)
     planned, findings = [], []
     for trigger in move.triggers:
         covered, unit, size = (behind, "mm", trigger.distance)

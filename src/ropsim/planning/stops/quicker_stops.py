@@ -37,7 +37,7 @@ def quicker_stops(
     A move that flows takes no longer from the middle of its first blend to that of its last one than it
     would from rest to rest; while all do, the whole takes less time than with a stop at each point. Where one
     takes longer, the adjacent blends are examined, and if the whole between two stops takes longer, all its
-    blends. Stops at some of them are the way with the least sum of times: a shortest way, of which an edge
+    blends. Stops at some of them are the path with the least sum of times: a shortest path, of which an edge
     is planned only where nothing shorter is known to be left.
 
     Args:
@@ -93,7 +93,7 @@ def _shortest(nodes: Sequence[int], present: float, times: Times) -> list[int]:
 
 
 def _least_path(nodes: Sequence[int], known: dict[Span, float], times: Times) -> list[Span]:
-    """Return the edges of the shortest way by known times; lower bounds count for the others."""
+    """Return the edges of the shortest path by known times; lower bounds count for the others."""
     costs, before = [0.0], [0]
     for index, node in enumerate(nodes[1:], 1):
         begins = set(range(max(index - _FURTHEST, 0), index)) | ({0} if index == len(nodes) - 1 else set())

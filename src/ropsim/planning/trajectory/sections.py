@@ -60,7 +60,7 @@ class Section:
 
     @property
     def borders(self) -> Array:
-        """Return the places at which path segments begin, and the end of the last one, shape (p + 1,)."""
+        """Return path parameters at which path segments begin, then the end of the last, shape (p + 1,)."""
         ends = np.append(0.0, self.path_limits.ends)
         return np.asarray(ends[np.append(0, np.cumsum(self.counts))])
 

@@ -1,4 +1,4 @@
-"""Path segments of a sequence: parts of the paths of moves, and the ways round blends between them."""
+"""Path segments of a sequence: parts of the paths of moves, and blends between them."""
 
 from collections.abc import Sequence
 
@@ -42,7 +42,7 @@ class PathSegment:
         path_limits: bounds along it, part by part; none where it has a time law of its own.
         blend: that it leads round; None for a part of the path of a move.
         coordination: external axes that go along with the path of the tool; None where they stand.
-        begin: place at which it begins on the path of its move, in the unit of that; 0 for a blend.
+        begin: path parameter at which it begins on the path of its move, in the unit of that; 0 for a blend.
         gentler: other bounds along it, with less speed and more acceleration in its bends.
     """
 

@@ -89,7 +89,7 @@ def lay_sections(segments: Array2, ends: Array1, requested: Array2, sections: Ar
 
 
 def _time(segments: Array, ends: Array, section: Array, path_segment: int, s: float, result: Array) -> float:
-    """Return the time at which a section is at a place of one of its path segments [s]; see `time_at`."""
+    """Return the time [s] at which a section is at a parameter of a path segment; see `time_at`."""
     own = segments[:, int(section[SEGMENT]) : int(section[SEGMENT] + section[SEGMENTS])]
     time_at(own, ends[int(section[FIRST_PATH_SEGMENT]) :], path_segment, s, result)
     return float(result[0])

@@ -82,7 +82,7 @@ class Trajectory:
         return JointPoints(*total)
 
     def on_section(self, number: int, rows: LawRows) -> JointPoints:
-        """Return coordinates and their derivatives by the place where the time law of a run is.
+        """Return coordinates and their derivatives by the path parameter where the time law of a run is.
 
         Args:
             number: of the run.

@@ -23,7 +23,7 @@ KIND, BEGIN, LENGTH, FIRST_ROW, ROWS, FIRST_SLOPE = range(6)
 PATH_SEGMENT, PARAMETER, SPEED, ACCELERATION, TIME = range(5)
 """Rows of what time laws tell."""
 AT_ONCE = 512
-"""Times that are looked at together, so that what is known of them stays near the processor."""
+"""Times that are evaluated together, so that what is known of them stays near the processor."""
 
 
 class TrajectoryNumbers(NamedTuple):
@@ -34,7 +34,7 @@ class TrajectoryNumbers(NamedTuple):
         segments: of their time laws, shape (8, m).
         path_segments: path segments of all runs, shape (p, 6).
         rows: of their paths, shape (l, n).
-        slopes: likewise, shape (2, l or fewer, n).
+        slopes: of shape (2, l or fewer, n).
     """
 
     sections: Array2
@@ -116,8 +116,8 @@ def points_on(
         path_segments: of all runs, as for `evaluate_trajectory`, and so are rows and slopes.
         rows: see there.
         slopes: see there.
-        law: numbers of the path segments of the run, rising, places on these, which become those on their
-            paths, speeds and accelerations, shape (4, k).
+        law: numbers of the path segments of the run, rising, path parameters on these, which become those on
+            their paths, speeds and accelerations, shape (4, k).
         work: to work in, shape (COEFFICIENTS, n).
         points: where all goes, shape (3, k, n).
     """
@@ -183,7 +183,7 @@ def _copy(count: int, row: Array, out: Array) -> None:
 def _add(
     count: int, held: Array, d1: Array, d2: Array, junction: Array, q: Array, qd: Array, qdd: Array
 ) -> None:
-    """Add where another path is to where this one is, as far as that is from the corner between them."""
+    """Add where another path is to where this one is, as far as that is from the junction between them."""
     for j in range(count):
         q[j] = q[j] + (held[j] - junction[j])
         qd[j] = qd[j] + d1[j]
@@ -217,14 +217,14 @@ def add_in_time(
     """Write coordinates and derivatives by time: q' = dq/ds·v and q'' = d²q/ds²·v² + dq/ds·a.
 
     Args:
-        q: joint coordinates at k places of a path [rad | m], shape (k, n).
-        d1: their first derivatives by the place, shape (k, n).
+        q: joint coordinates at k path parameters of a path [rad | m], shape (k, n).
+        d1: their first derivatives by the path parameter, shape (k, n).
         d2: second ones.
         speeds: along the path at the k times, v, shape (k,).
         accelerations: along it, a, shape (k,).
         first: row of the motion at which the first of them is.
         shared: row of the motion up to which another path still ends: there both are added, as far as they
-            are from the corner between them.
+            are from the junction between them.
         junction: joint coordinates there [rad | m], shape (n,).
         total: the motion; rows from `first` on are written, shape (3, m, n).
     """

@@ -1,4 +1,4 @@
-"""Wrist angles: joint coordinates that take the TCP along a way on which the joints of the wrist are given.
+"""Wrist angles: joint coordinates that take the TCP along a path on which the joints of the wrist are given.
 
 The last three joints of an arm with spherical wrist follow a prescribed motion, external axes as well; the
 first three move the TCP along its path. This motion passes the singularity of the wrist like any other point.
@@ -30,11 +30,12 @@ _JUMP = np.pi / 4.0  # [rad] from one step to the next; that is another branch
 
 @record
 class WristFollowing:
-    """How far a way is led.
+    """Joints that follow a path with a prescribed wrist.
 
     Attributes:
-        q: joint coordinates at equidistant places [rad | m], shape (k, n); up to the place where they end.
-        share: of the way that is led; 1 for all of it, then it may still end in another branch.
+        q: joint coordinates at equidistant path parameters [rad | m], shape (k, n); up to the path parameter
+            where they end.
+        share: of the path that is followed; 1 for all of it, then it may still end in another branch.
     """
 
     q: Array
@@ -42,14 +43,14 @@ class WristFollowing:
 
 
 def follow_prescribed_wrist(motion: WristMotion, parts: int = 1) -> WristFollowing:
-    """Return the joint coordinates along a way, as dense as their smooth path needs.
+    """Return the joint coordinates along a path, as dense as their smooth path needs.
 
-    The first three joints are found by Newton's method, from place to place along the way and then between
-    two places each.
+    The first three joints are found by Newton's method, from path parameter to path parameter along the path
+    and then between two path parameters each.
 
     Args:
         motion: prescribed motion.
-        parts: of the way, between whose ends it is smoother than where they meet.
+        parts: of the path, between whose ends it is smoother than where they meet.
     """
     arm = _Arm(motion.robot, motion.X_MT)
     fours = -(-parts // 4)
@@ -68,7 +69,7 @@ def wrist_joints(motion: WristMotion, q: Array) -> JointPath:
 
     Args:
         motion: prescribed motion.
-        q: at equidistant places of all of the way [rad | m], an odd number of them, shape (k, n).
+        q: at equidistant path parameters of all of the path [rad | m], an odd number of them, shape (k, n).
     """
     length, arm = motion.path.length, _Arm(motion.robot, motion.X_MT)
     whole, step = SampledPath(length, q), length / (len(q) - 1)
@@ -88,13 +89,13 @@ def wrist_joints(motion: WristMotion, q: Array) -> JointPath:
 def _densely(
     arm: "_Arm", motion: WristMotion, q: Array, ends: tuple[float, float], most: int
 ) -> WristFollowing:
-    """Return the joints between two places of a path, as dense as their smooth path needs.
+    """Return the joints between two path parameters of a path, as dense as their smooth path needs.
 
     Args:
         arm: that leads.
         motion: prescribed motion.
-        q: at equidistant places between the two, shape (k, n).
-        ends: the two places, in the unit of the way.
+        q: at equidistant path parameters between the two, shape (k, n).
+        ends: the two path parameters, in the unit of the path.
         most: steps, about.
     """
     begin, end = ends
@@ -129,7 +130,7 @@ def _evaluated(arm: "_Arm", motion: WristMotion, steps: int) -> WristFollowing:
 
 @record
 class _Arm:
-    """The arm of a robot: the place of its TCP by its first three joints.
+    """The arm of a robot: the position of its TCP by its first three joints.
 
     Attributes:
         robot: with its external axes.

@@ -12,7 +12,7 @@ from ropsim.spatial import Array, Pose, record
 
 @record
 class WristMotion:
-    """A way on which the wrist leads the tool.
+    """A path on which the wrist leads the tool.
 
     Attributes:
         robot: with an arm with spherical wrist.
@@ -36,13 +36,13 @@ class WristMotion:
         return self.coordination.frame if self.coordination else None
 
     def given(self, s: Array) -> Array:
-        """Return all coordinates at places s (k,), the first three joints as at the start, (k, n)."""
+        """Return all coordinates at parameters s (k,), with the first three joints of the start, (k, n)."""
         Q = standing(self.q_start, self.coordination, s)
         Q[:, list(arm_axes(self.robot)[3:])] = self.wrist.joints(s).q
         return Q
 
     def positions(self, s: Array) -> Array:
-        """Return where the TCP is at places s in the base frame [m], shape (k,) to (k, 3)."""
+        """Return where the TCP is at path parameters s in the base frame [m], shape (k,) to (k, 3)."""
         positions = self.path.positions(s)
         if self.frame is None:
             return positions
@@ -50,12 +50,12 @@ class WristMotion:
         return np.asarray((X_BK[:, :3, :3] @ positions[..., np.newaxis])[..., 0] + X_BK[:, :3, 3])
 
     def led_by(self, joints: JointPath) -> WristPath:
-        """Return the path of the tool on which joints lead it, in the frame of the way."""
+        """Return the path of the tool on which joints lead it, in the frame of the path."""
         return WristPath(self.robot, self.path, joints, self.X_MT, self.frame)
 
 
 def standing(q: Array, coordination: Coordination | None, s: Array) -> Array:
-    """Return coordinates q (n,) at places s, the external ones where they go along, shape (k, n)."""
+    """Return coordinates q (n,) at path parameters s, the external ones where they go along, shape (k, n)."""
     return coordination.rows(q, s) if coordination else np.tile(q, (len(s), 1))
 
 

@@ -1,4 +1,4 @@
-"""The path of a tool that the wrist leads: the way of the TCP, and the joints that turn the tool on it."""
+"""The path of a tool that the wrist leads: the path of the TCP, and the joints that turn the tool on it."""
 
 import numpy as np
 
@@ -14,14 +14,14 @@ _STEP = 0.01
 
 @record
 class WristPath:
-    """The TCP goes along a way; how the tool turns follows from the joints.
+    """The TCP goes along a path; how the tool turns follows from the joints.
 
     Attributes:
         robot: the arm with its external axes.
         path: a path of the tool in its reference frame, of which the positions count.
         joints: that take the TCP along it, over the same length.
         X_MT: the tool.
-        frame: that external axes move and in which the way is given; None for the base frame.
+        frame: that external axes move and in which the path is given; None for the base frame.
     """
 
     robot: RobotModel
@@ -32,17 +32,18 @@ class WristPath:
 
     @property
     def length(self) -> float:
-        """Return the length in the unit of the way."""
+        """Return the length in the unit of the path."""
         return self.path.length
 
     def own_grid(self) -> Array:
-        """Return the grid of the way, at whose points the joints have theirs, shape (m,)."""
+        """Return the grid of the path, at whose points the joints have theirs, shape (m,)."""
         return grid(self.path)
 
     def tool(self, s: Array) -> ToolPoints:
-        """Return the tool and its derivatives at places s, shape (k,).
+        """Return the tool and its derivatives at path parameters s, shape (k,).
 
-        How the tool turns is that of joints that go on from each place with its first two derivatives.
+        How the tool turns is that of joints that go on from each path parameter with its first two
+        derivatives.
         """
         at, moved_tool = self.joints.joints(s), self.path.tool(s)
         rates = np.maximum(np.abs(at.d1).max(axis=1), np.sqrt(np.abs(at.d2).max(axis=1)))
@@ -59,11 +60,11 @@ class WristPath:
         return ToolPoints(matrices, *(np.hstack((moved[:, :3], turns[:, 3:])) for moved, turns in both))
 
     def positions(self, s: Array) -> Array:
-        """Return where the TCP is at places s, shape (k,) to (k, 3) [m]."""
+        """Return where the TCP is at path parameters s, shape (k,) to (k, 3) [m]."""
         return self.path.positions(s)
 
     def distance(self, points: Array) -> Array:
-        """Return how far points, shape (k, 3) [m], are from the way of the TCP, shape (k,) [m]."""
+        """Return how far points, shape (k, 3) [m], are from the path of the TCP, shape (k,) [m]."""
         return self.path.distance(points)
 
     def _matrices(self, Q: Array) -> Array:
