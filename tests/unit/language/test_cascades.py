@@ -137,6 +137,18 @@ def test_a_misspelt_first_word_keeps_its_part_in_the_text(line: str, meant: str)
     assert found.fix.replacement == meant
 
 
+@pytest.mark.parametrize(
+    ("line", "meant"),
+    [("sped 500 mm/s", "set speed"), ("blned 10 mm", "set blend"), ("acc2 2 m/s2", "set acc")],
+)
+def test_a_misspelt_setting_is_named_with_the_word_before_it(line: str, meant: str) -> None:
+    text = f"program p\nmov home\n{line}\n"
+    found = only(text)
+    assert (found.code, found.hint) == ("N201", f"did you mean `{meant}`?")
+    assert found.fix is not None
+    assert compiled(text.replace(line.split(maxsplit=1)[0], found.fix.replacement)).ok
+
+
 @pytest.mark.parametrize("text", ["mask 3", "tasks infeed", "lock infeed", "withe tool jaws\nopen"])
 def test_a_word_near_to_an_opener_is_a_call_where_no_end_is_left_over(text: str) -> None:
     assert codes(f"program p\n{text}\nmov nowhere")[-1] == "N202"

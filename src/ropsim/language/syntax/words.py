@@ -123,6 +123,9 @@ ALONG, GAIN = "along", "gain"
 MOTION_MODIFIERS = frozenset(["angle", "at", "store", "timeout", "track", ALONG, GAIN])
 """Words behind the target of a motion that hold for this motion only and for no other statement."""
 
+SETTINGS = ("speed", "acc", "blend", "fine", "tool", "frame")
+"""Settings of motions: behind `set`, behind a target and in `with`."""
+
 INSIDE = (
     "speed", "acc", "blend", "fine", "tool", "frame", "angle", "at", "after", "before", "do", "until",
     "timeout", "store", "external", "above", "offset", "rel", "then", "else", "step", "via", "config",

@@ -20,7 +20,7 @@ from ropsim.language.syntax import nodes
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.line import parse_line
 from ropsim.language.syntax.other_languages import HINTS
-from ropsim.language.syntax.words import VERBS
+from ropsim.language.syntax.words import SETTINGS, VERBS
 from ropsim.program import Call, Expression
 from ropsim.program import Variable as VariableExpression
 
@@ -122,7 +122,13 @@ def _near_task(body: Body, node: syntax.Call, tasks: Iterable[str]) -> str:
     others = (task for task in tasks if task != name.text)
     fitting = [task for task in near(name.text, others) if _may_take(body, node, task)][:1]
     verbs = [verb for verb in near(name.text, VERBS, limit=1) if _can_be_read(body, name, verb)]
-    nearest = min((*fitting, *verbs), key=lambda one: edit_distance(word, one.lower()), default="")
+    settings = [f"set {one}" for one in near(name.text, SETTINGS, limit=1)]
+    settings = [one for one in settings if _can_be_read(body, name, one)]
+    nearest = min(
+        (*fitting, *verbs, *settings),
+        key=lambda one: edit_distance(word, one.lower().removeprefix("set ")),
+        default="",
+    )
     if nearest:
         return f"did you mean `{nearest}`?"
     return "define it with `task`, or assign a variable with `=`"

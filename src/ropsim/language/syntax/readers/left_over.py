@@ -11,12 +11,11 @@ from ropsim.language.syntax.other_languages import DECIMAL, LEFT_OVER
 from ropsim.language.syntax.other_languages import UNITS as WRITTEN_OUT
 from ropsim.language.syntax.other_settings import meant
 from ropsim.language.syntax.readers.headers import CLOSERS, begins_statement, names_task
-from ropsim.language.syntax.words import ACTIONS, END, INSIDE, MOTIONS, NOT_YET_MODIFIERS, RESERVED
+from ropsim.language.syntax.words import ACTIONS, END, INSIDE, MOTIONS, NOT_YET_MODIFIERS, RESERVED, SETTINGS
 
 _POSTURE_WORDS = {"config": "(left, up)", "turns": "(0, -1)"}
 """Terms of a location that users write behind it; each with an example."""
-_SETTINGS = frozenset(("speed", "acc", "blend", "fine", "frame", "tool"))
-_BEHIND_TARGETS = _SETTINGS - {"frame"} | {"angle", "at", "until", "store", "track"}
+_BEHIND_TARGETS = frozenset(SETTINGS) - {"frame"} | {"angle", "at", "until", "store", "track"}
 _HOLDING = frozenset(("if", "elseif", "else", "wait"))
 """Words that execute a statement on their line: whether they include the next one is ambiguous."""
 _WORDS: Mapping[str, str] = {
@@ -79,10 +78,10 @@ def _second_setting(cursor: Cursor, token: Token, head: Token) -> Fault | None:
     """Return the fault of the words behind the setting of a `set`."""
     if head.word != "set":
         return None
-    behind, is_output = cursor.look(1), cursor.tokens[1].word not in _SETTINGS
-    if token.word in _SETTINGS:
+    behind, is_output = cursor.look(1), cursor.tokens[1].word not in SETTINGS
+    if token.word in SETTINGS:
         hint, fix = "each `set` has one setting: write the next one below", f"{cursor.below}set {token.text}"
-    elif token.word == "," and behind.word in _SETTINGS:
+    elif token.word == "," and behind.word in SETTINGS:
         hint, fix = "each `set` has one setting: write the next one below", f"{cursor.below}set"
     elif "number" in (token.kind, behind.kind) and token.word in ("", ",", "for") and is_output:
         hint, fix = "nothing stands behind what is set; a time is a line of its own: `wait 0.5 s`", ""
