@@ -5,35 +5,28 @@ from math import isfinite
 from ropsim.core import Diagnostic, Span
 from ropsim.model import RobotModel
 from ropsim.simulation.diagnostics.limit_diagnostics import PAYLOAD_EXCEEDED
-from ropsim.simulation.records.track import Track
+from ropsim.simulation.findings.finished_station import FinishedStation
 
 SLACK = 1e-9
 """Share by which sums of masses may be beyond the rated payload: they are rounded."""
 
 
-def load_findings(robot: RobotModel, loads: Track, lines: Track, hz: int, source: str) -> list[Diagnostic]:
-    """Return S749 at the line on which the load was the heaviest, where that was too heavy.
-
-    Args:
-        robot: with its rated payload; one without says nothing.
-        loads: mass of tool and parts in force [kg].
-        lines: source lines in force.
-        hz: control ticks per second.
-        source: name of the text that the lines count in.
-    """
+def load_findings(station: FinishedStation) -> tuple[Diagnostic, ...]:
+    """Return S749 at the line with the heaviest load, if it is above the rated payload."""
+    robot, loads, lines, hz = station.robot, station.loads, station.lines, station.hz
     if not loads.values or max(loads.values) <= robot.rated_payload * (1.0 + SLACK):
-        return []
+        return ()
     load = max(loads.values)
     tick = loads.ticks[loads.values.index(load)]
     line = int(lines.value(tick) or lines.value(tick + 1))
     finding = PAYLOAD_EXCEEDED.at(
-        Span.whole_line(source, line) if line else None,
+        Span.whole_line(station.source, line) if line else None,
         f"tool and parts have {load:.4g} kg, `{robot.name}` may carry {robot.rated_payload:.4g} kg",
         label=f"at t = {tick / hz:.2f} s",
         hint="take a lighter tool, fewer parts at a time, or an arm with a greater payload",
         data={"value": load, "limit": robot.rated_payload, "time_s": tick / hz},
     )
-    return [finding]
+    return (finding,)
 
 
 def has_rated_payloads(robots: list[RobotModel]) -> bool:

@@ -4,26 +4,17 @@ import numpy as np
 
 from ropsim.core import Diagnostic, Span
 from ropsim.dynamics import structure_of
-from ropsim.model import RobotModel
 from ropsim.simulation.diagnostics.limit_diagnostics import OIL_TORN
-from ropsim.simulation.records.tally import Tally
-from ropsim.simulation.records.track import Track
+from ropsim.simulation.findings.finished_station import FinishedStation
 from ropsim.simulation.servo.judged import BELOW
 from ropsim.simulation.servo.log import floors
 
 _BAR = 1e5
 
 
-def torn_oil(robot: RobotModel, tally: Tally, hz: int, lines: Track, source: str) -> tuple[Diagnostic, ...]:
-    """Return S752 for each chamber in which the oil would have been pulled apart, where that was worst.
-
-    Args:
-        robot: with the drives.
-        tally: the worst of all control ticks.
-        hz: control ticks per second.
-        lines: source lines in force.
-        source: name of the text that they count in.
-    """
+def torn_oil(station: FinishedStation) -> tuple[Diagnostic, ...]:
+    """Return S752 for each chamber in which the oil would have been pulled apart, where that was worst."""
+    robot, tally = station.robot, station.tally
     found = []
     for name, least in floors(structure_of(robot).drives).items():
         axes = tally.axes(BELOW + name)
@@ -32,16 +23,16 @@ def torn_oil(robot: RobotModel, tally: Tally, hz: int, lines: Track, source: str
         below, ticks = tally.worst(BELOW + name)
         for at in np.flatnonzero(below > 0.0):
             joint, tick = axes[at], int(ticks[at])
-            line, pressure = int(lines.value(tick)), float(least - below[at])
+            line, pressure = int(station.lines.value(tick)), float(least - below[at])
             axis = robot.axis_joints[joint].name
             found.append(
                 OIL_TORN.at(
-                    Span.whole_line(source, line) if line else None,
+                    Span.whole_line(station.source, line) if line else None,
                     f"{name.replace('pressure_', 'chamber ')} of joint `{axis}` would have come to "
                     f"{pressure / _BAR:.4g} bar, its oil gives way at {least / _BAR:.4g} bar",
-                    label=f"at t = {tick / hz:.2f} s",
+                    label=f"at t = {tick / station.hz:.2f} s",
                     hint="lower the speed or acceleration here, or give the drive a higher return pressure",
-                    data={"joint": joint + 1, "value": pressure, "limit": least, "time_s": tick / hz},
+                    data={"joint": joint + 1, "value": pressure, "limit": least, "time_s": tick / station.hz},
                 )
             )
     return tuple(found)

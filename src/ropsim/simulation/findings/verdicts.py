@@ -20,9 +20,8 @@ from ropsim.simulation.diagnostics.limit_diagnostics import (
     SPEED_EXCEEDED,
     VOLTAGE_SATURATED,
 )
-from ropsim.simulation.findings.torn_oil import torn_oil
+from ropsim.simulation.findings.finished_station import FinishedStation
 from ropsim.simulation.records.tally import Tally
-from ropsim.simulation.records.track import Track
 from ropsim.simulation.servo.judged import drive_limits
 from ropsim.simulation.servo.log import recorded
 from ropsim.spatial import Array
@@ -76,24 +75,18 @@ class _Check:
     limits: Array
 
 
-def verdicts(robot: RobotModel, tally: Tally, hz: int, lines: Track, source: str) -> tuple[Diagnostic, ...]:
+def verdicts(station: FinishedStation) -> tuple[Diagnostic, ...]:
     """Return one finding per joint and kind of limit that was broken, at the line of the worst moment.
 
     Every control tick counts, whether the recording has a row of it or not.
-
-    Args:
-        robot: with the limits.
-        tally: the worst of all control ticks.
-        hz: control ticks per second.
-        lines: source lines in force.
-        source: name of the text that they count in.
     """
+    robot, hz, lines = station.robot, station.hz, station.lines
     found = []
-    for check in _checks(robot, tally, hz):
+    for check in _checks(robot, station.tally, hz):
         for at in np.flatnonzero(check.values > check.limits):
             tick = int(check.ticks[at])
-            found.append(_finding(robot, check, int(at), tick / hz, int(lines.value(tick)), source))
-    return (*found, *torn_oil(robot, tally, hz, lines, source))
+            found.append(_finding(robot, check, int(at), tick / hz, int(lines.value(tick)), station.source))
+    return tuple(found)
 
 
 def _checks(robot: RobotModel, tally: Tally, hz: int) -> list[_Check]:

@@ -27,11 +27,11 @@ from ropsim.flow import (
 from ropsim.icr import Program, code_lines, line_contents_of_all, program_id
 from ropsim.kinematics import forward_batch
 from ropsim.motion import Line, enter_distances
+from ropsim.simulation.findings.checks import station_findings
 from ropsim.simulation.findings.consequences import with_causes
-from ropsim.simulation.findings.load_findings import has_rated_payloads, load_findings
-from ropsim.simulation.findings.settling import settling_findings
+from ropsim.simulation.findings.finished_station import FinishedStation
+from ropsim.simulation.findings.load_findings import has_rated_payloads
 from ropsim.simulation.findings.shared_programs import told_at
-from ropsim.simulation.findings.verdicts import verdicts
 from ropsim.simulation.parts.arrivals import Arrivals, are_untouched, arrivals
 from ropsim.simulation.recording.channels import (
     correction_channel,
@@ -74,11 +74,11 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
         mine = [event for event in run.events if event.station == name]
         events += _with_errors(mine, at, rows, own["path_error"].values)
         events += at.activations.events(name, at.hz)
-        tally, lines = at.plant.tally, at.tracks["line"]
-        judged += told_at(name, programs, verdicts(at.station.robot, tally, at.hz, lines, source))
         loads = at.tracks.get("payload", Track())
-        judged += told_at(name, programs, load_findings(at.station.robot, loads, lines, at.hz, source))
-        judged += told_at(name, programs, settling_findings(mine, run.time, source))
+        finished = FinishedStation(
+            at.station.robot, source, at.hz, run.time, at.plant.tally, at.tracks["line"], loads, mine
+        )
+        judged += told_at(name, programs, station_findings(finished))
     for at in run.stations.values():
         for body, profile in at.fingers.items():
             channels[channel_name("q", body)] = finger_channel(at.station.name, profile.rows(time))

@@ -7,8 +7,11 @@ from ropsim import language, robots
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
 from ropsim.flow import Recording
+from ropsim.model import RobotModel
 from ropsim.simulation import RunOptions, run
+from ropsim.simulation.findings.finished_station import FinishedStation
 from ropsim.simulation.findings.load_findings import load_findings
+from ropsim.simulation.records.tally import Tally
 from ropsim.simulation.records.track import Track
 from ropsim.workbench import environment_of
 
@@ -38,9 +41,14 @@ mass = {mass}
     return run(cell, {cell.first.name: code.icr}, RunOptions())
 
 
+def finished(robot: RobotModel, loads: Track) -> FinishedStation:
+    """Return a station that has carried these loads."""
+    return FinishedStation(robot, "a.task", HZ, 0.4, Tally((), 0), LINES, loads, ())
+
+
 def test_the_heaviest_load_is_told_at_the_line_that_took_it() -> None:
     loads = Track([0, 150, 250, 350], [1.0, 3.2, 4.5, 1.0])
-    (found,) = load_findings(ARM, loads, LINES, HZ, "a.task")
+    (found,) = load_findings(finished(ARM, loads))
     assert found.code == "S749"
     assert found.message == "tool and parts have 4.5 kg, `irb120` may carry 3 kg"
     assert found.span is not None
@@ -49,12 +57,12 @@ def test_the_heaviest_load_is_told_at_the_line_that_took_it() -> None:
 
 
 def test_what_the_maker_allows_is_no_finding() -> None:
-    assert load_findings(ARM, Track([0, 150], [1.0, 0.1 + 2.9]), LINES, HZ, "a.task") == []
+    assert load_findings(finished(ARM, Track([0, 150], [1.0, 0.1 + 2.9]))) == ()
 
 
 def test_an_arm_of_which_nobody_says_it_may_carry_anything() -> None:
     unknown = replace(ARM, rated_payload=float("inf"))
-    assert load_findings(unknown, Track([0], [1e6]), LINES, HZ, "a.task") == []
+    assert load_findings(finished(unknown, Track([0], [1e6]))) == ()
 
 
 def test_a_run_looks_at_the_load_and_says_so() -> None:

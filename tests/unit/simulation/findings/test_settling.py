@@ -1,8 +1,14 @@
+from collections.abc import Sequence
+
 import pytest
 
+from ropsim import robots
 from ropsim.core import Severity, Span
 from ropsim.flow import Event, MotionKind, MoveEvent, Origin
+from ropsim.simulation.findings.finished_station import FinishedStation
 from ropsim.simulation.findings.settling import settling_findings
+from ropsim.simulation.records.tally import Tally
+from ropsim.simulation.records.track import Track
 
 DURATION = 100.0
 
@@ -23,8 +29,14 @@ def moves(*settles: float) -> list[Event]:
     ]
 
 
+def finished(events: Sequence[Event], duration: float = DURATION) -> FinishedStation:
+    """Return a station with some events."""
+    robot = robots.load("scara")
+    return FinishedStation(robot, "main.task", 1000, duration, Tally((), 0), Track(), Track(), events)
+
+
 def test_settling_over_two_per_cent_is_a_hint_on_the_line_of_the_longest() -> None:
-    (found,) = settling_findings(moves(0.9, 1.2, 0.01), DURATION, "main.task")
+    (found,) = settling_findings(finished(moves(0.9, 1.2, 0.01)))
     assert (found.code, found.severity) == ("S725", Severity.HINT)
     assert found.span is not None
     assert found.span.line == 2
@@ -43,8 +55,8 @@ def test_settling_over_two_per_cent_is_a_hint_on_the_line_of_the_longest() -> No
     ],
 )
 def test_little_or_quick_settling_is_no_finding(settles: tuple[float, ...]) -> None:
-    assert settling_findings(moves(*settles), DURATION, "main.task") == ()
+    assert settling_findings(finished(moves(*settles))) == ()
 
 
 def test_a_run_of_no_length_has_no_share() -> None:
-    assert settling_findings(moves(0.5), 0.0, "main.task") == ()
+    assert settling_findings(finished(moves(0.5), 0.0)) == ()

@@ -8,6 +8,8 @@ from ropsim import robots
 from ropsim.core import Diagnostic
 from ropsim.dynamics import Column, Limit, LimitSort, chain_of, structure_of
 from ropsim.model import CurrentLimitedAmplifier, RobotModel, VoltageAmplifier, ideal_drive
+from ropsim.simulation.findings.finished_station import FinishedStation
+from ropsim.simulation.findings.torn_oil import torn_oil
 from ropsim.simulation.findings.verdicts import verdicts
 from ropsim.simulation.records.tally import Tally
 from ropsim.simulation.records.track import Track
@@ -38,7 +40,8 @@ def found_in(rows: dict[str, Array], robot: RobotModel = ROBOT) -> tuple[Diagnos
         tally.enter(first, table[first : first + 7], full)
     for tick in range(TICKS):
         lines.set(tick - 1, tick)
-    return verdicts(robot, tally, HZ, lines, "a.task")
+    station = FinishedStation(robot, "a.task", HZ, TICKS / HZ, tally, lines, Track(), ())
+    return (*verdicts(station), *torn_oil(station))
 
 
 def test_an_arm_at_rest_breaks_no_limit() -> None:

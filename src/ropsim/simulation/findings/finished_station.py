@@ -1,0 +1,34 @@
+"""A station of a run that has ended: what the checks of a run read."""
+
+from collections.abc import Sequence
+
+from ropsim.core import frozen_dataclass
+from ropsim.flow import Event
+from ropsim.model import RobotModel
+from ropsim.simulation.records.tally import Tally
+from ropsim.simulation.records.track import Track
+
+
+@frozen_dataclass
+class FinishedStation:
+    """A station of a run that has ended.
+
+    Attributes:
+        robot: with its limits, drives and rated payload.
+        source: name of the text that its lines count in.
+        hz: control ticks per second.
+        duration: of the run [s].
+        tally: largest magnitudes over all control ticks.
+        lines: source lines in force.
+        loads: mass of tool and parts in force [kg].
+        events: of the station.
+    """
+
+    robot: RobotModel
+    source: str
+    hz: int
+    duration: float
+    tally: Tally
+    lines: Track
+    loads: Track
+    events: Sequence[Event]
