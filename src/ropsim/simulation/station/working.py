@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from typing import assert_never
 
 from ropsim.controller import LawError
 from ropsim.core import Diagnostic
@@ -149,6 +150,10 @@ def _carry_out(
             found = (*at.when(since), step.origin)
             came = AwaitEvent(*found, channel=step.channel, value=step.value, came=world.came)
             run.note(at, since, came)
+        case MoveInstruction() | SyncInstruction():
+            pass  # a move has its sequence; what a synchronisation reads is read by the program
+        case _:
+            assert_never(step)
 
 
 def _await(run: CellRun, at: StationRun, step: AwaitInstruction, world: SimulatedWorld) -> Iterator[None]:

@@ -12,6 +12,7 @@ from ropsim.flow import JointReference
 from ropsim.model import CascadedGains, Payload, Rates, RobotModel
 from ropsim.robots.standard_controller import standard_controller
 from ropsim.simulation import Recorder, Servo
+from ropsim.simulation.findings.finished_station import FinishedStation
 from ropsim.simulation.findings.torn_oil import torn_oil
 from ropsim.simulation.records.track import Track
 from ropsim.simulation.servo.judged import BELOW
@@ -46,8 +47,9 @@ def lift() -> Recorder:
 
 
 def found(recorder: Recorder) -> list[str]:
-    lines = Track()
-    return [one.message for one in torn_oil(lifted(), recorder.tally, 1000, lines, "main.task")]
+    lifting, track = lifted(), Track()
+    station = FinishedStation(lifting, "main.task", 1000, 1.0, recorder.tally, track, track, ())
+    return [one.message for one in torn_oil(station)]
 
 
 def test_the_regulator_is_as_quick_as_the_softest_place_allows() -> None:
