@@ -20,7 +20,7 @@ from ropsim.cellfile import read_cell
 from ropsim.core import RopsimError, SourceText
 from ropsim.language.cutting import cuts
 from ropsim.language.cutting.line_kinds import kinds_of
-from ropsim.lsp.testing import ASKED
+from ropsim.lsp.testing import REQUESTS
 from ropsim.records import read_inputs
 from ropsim.workbench import read_robot
 from ropsim.workbench.testing import declared_tasks
@@ -137,7 +137,7 @@ def test_a_request_takes_linear_work_of_even_texts(name: str, tmp_path: Path) ->
         for text in once_and_twice(unit):
             uri = opened(editor, text, tmp_path / f"{number}" / f"{len(work)}", name)
             asked(editor, uri, "textDocument/documentSymbol", text)
-            work.append({method: calls_of(partial(asked, editor, uri, method, text)) for method in ASKED})
+            work.append({method: calls_of(partial(asked, editor, uri, method, text)) for method in REQUESTS})
             editor.tell("textDocument/didClose", textDocument={"uri": uri})
         for method, once in work[0].items():
             assert work[1][method] <= max(MOST * once, LITTLE), (repr(unit), method)

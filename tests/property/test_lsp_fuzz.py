@@ -8,7 +8,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ropsim.lsp import serve
-from ropsim.lsp.testing import ASKED, ContentChange, Document, ErrorCode, FrameReader, Position, Range, framed
+from ropsim.lsp.testing import (
+    REQUESTS,
+    ContentChange,
+    Document,
+    ErrorCode,
+    FrameReader,
+    Position,
+    Range,
+    framed,
+)
 from support.characters import ANY
 from support.editors import Editor, applied, place
 from support.examples import examples
@@ -16,7 +25,7 @@ from support.examples import examples
 URI = "file:///nowhere-at-all/x.task"
 METHODS = [
     "initialize", "shutdown", "textDocument/didOpen", "textDocument/didChange", "textDocument/didClose",
-    "nothing/known", "$/cancelRequest", *ASKED,
+    "nothing/known", "$/cancelRequest", *REQUESTS,
 ]  # fmt: skip
 
 json_values = st.recursive(

@@ -5,7 +5,7 @@ from ropsim.collision.collisions import TOUCH as TOUCH
 from ropsim.collision.collisions import Collisions as Collisions
 from ropsim.collision.collisions import Coordinates as Coordinates
 from ropsim.collision.convex import Convex as Convex
-from ropsim.collision.depth import ROUGH as ROUGH
+from ropsim.collision.depth import COARSE as COARSE
 from ropsim.collision.distance import distance as distance
 from ropsim.collision.distance import in_collision as in_collision
 from ropsim.collision.pairs import Elsewhere as Elsewhere

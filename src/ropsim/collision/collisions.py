@@ -7,7 +7,7 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.collision.depth import ROUGH
+from ropsim.collision.depth import COARSE
 from ropsim.collision.pairs import Elsewhere, LeftOut, Pair, left_out, owners
 from ropsim.collision.separation import Nearness, Separation
 from ropsim.collision.solid_bodies import Rows, SolidBodies
@@ -26,7 +26,7 @@ Coordinates: TypeAlias = "npt.ArrayLike | Mapping[str, npt.ArrayLike]"
 
 
 @frozen_dataclass
-class Looked:
+class CheckedPairs:
     """Bodies that are checked, for one state of attachments.
 
     Attributes:
@@ -62,7 +62,7 @@ class Collisions:
             for body in self.tree.bodies
         }
         self._hidden = frozenset(body.name for body in self.tree.bodies if not body.visible)
-        self._known: dict[Hashable, Looked] = {}
+        self._known: dict[Hashable, CheckedPairs] = {}
         self.shapeless = tuple(
             body.name for body in self.tree.bodies if not _is_seen(body, self.tree.mechanisms, meshes)
         )
@@ -91,9 +91,9 @@ class Collisions:
             ArrayShapeError: M551, coordinates have another shape.
             NotFiniteError: M552, q holds NaN or infinity.
         """
-        looked = self._looked(elsewhere, absent)
-        nearest = self._nearest(q, looked, elsewhere)
-        return Separation(nearest, looked.pairs, looked.left_out, self.unseen)
+        checked = self._checked(elsewhere, absent)
+        nearest = self._nearest(q, checked, elsewhere)
+        return Separation(nearest, checked.pairs, checked.left_out, self.unseen)
 
     def meetings(
         self, q: Coordinates, elsewhere: Elsewhere = AS_AT_START, absent: Iterable[str] = ()
@@ -109,16 +109,16 @@ class Collisions:
             ArrayShapeError: M551, coordinates have another shape.
             NotFiniteError: M552, q holds NaN or infinity.
         """
-        return self._meetings(q, self._looked(elsewhere, absent), elsewhere)
+        return self._meetings(q, self._checked(elsewhere, absent), elsewhere)
 
-    def _looked(self, elsewhere: Elsewhere, absent: Iterable[str]) -> Looked:
+    def _checked(self, elsewhere: Elsewhere, absent: Iterable[str]) -> CheckedPairs:
         gone = frozenset(absent) | (self._hidden - elsewhere.keys())
         key = gone, tuple((name, parent) for name, (parent, _) in elsewhere.items())
         if key not in self._known:
             self._known[key] = self._pairs(elsewhere, gone)
         return self._known[key]
 
-    def _pairs(self, elsewhere: Elsewhere, gone: frozenset[str]) -> Looked:
+    def _pairs(self, elsewhere: Elsewhere, gone: frozenset[str]) -> CheckedPairs:
         names = [name for name in self.bodies.rows if name not in gone]
         out = left_out(self.tree, frozenset(names), elsewhere)
         out |= {pair: LeftOut.AT_REST for pair in self._at_rest if pair not in out and not gone & {*pair}}
@@ -128,7 +128,7 @@ class Collisions:
                 if (one, other) not in out:
                     pairs.append((one, other))
                     rows += [(i, j) for i in self.bodies.rows[one] for j in self.bodies.rows[other]]
-        return Looked(np.array(rows, np.intp).reshape(-1, 2), tuple(pairs), out)
+        return CheckedPairs(np.array(rows, np.intp).reshape(-1, 2), tuple(pairs), out)
 
     def _placed(self, q: Coordinates, elsewhere: Elsewhere) -> Array:
         given: Mapping[str, npt.ArrayLike] = q if isinstance(q, Mapping) else {self._first: q}
@@ -139,43 +139,43 @@ class Collisions:
         poses = body_poses(self.tree, rows, list(self.bodies.rows), elsewhere)
         return self.bodies.placed({name: found[0] for name, found in poses.items()})
 
-    def _nearest(self, q: Coordinates, looked: Looked, elsewhere: Elsewhere) -> Nearness | None:
-        if not len(looked.rows):
+    def _nearest(self, q: Coordinates, checked: CheckedPairs, elsewhere: Elsewhere) -> Nearness | None:
+        if not len(checked.rows):
             return None
         placed = self._placed(q, elsewhere)
-        bounds = self.bodies.bounds(placed, looked.rows)
+        bounds = self.bodies.bounds(placed, checked.rows)
         order = np.argsort(bounds, kind="stable")
-        rows = looked.rows[order]
+        rows = checked.rows[order]
         found = self.bodies.distances(placed, rows, bounds[order], (np.inf, 0.0))
         gaps = found[:, 0] - self.bodies.margins(rows)
         touching = np.flatnonzero(found[:, 0] == 0.0)
-        asked = {int(np.argmin(gaps)), *touching.tolist()}
-        every = [self.bodies.nearness(placed, rows[k], found[k]) for k in sorted(asked)]
+        candidates = {int(np.argmin(gaps)), *touching.tolist()}
+        every = [self.bodies.nearness(placed, rows[k], found[k]) for k in sorted(candidates)]
         return min(every, key=lambda one: one.distance)
 
-    def _meetings(self, q: Coordinates, looked: Looked, elsewhere: Elsewhere) -> tuple[Nearness, ...]:
-        if not len(looked.rows):
+    def _meetings(self, q: Coordinates, checked: CheckedPairs, elsewhere: Elsewhere) -> tuple[Nearness, ...]:
+        if not len(checked.rows):
             return ()
         placed = self._placed(q, elsewhere)
-        bounds = self.bodies.bounds(placed, looked.rows)
+        bounds = self.bodies.bounds(placed, checked.rows)
         near = bounds <= 0.0
-        rows = looked.rows[near]
+        rows = checked.rows[near]
         found = self.bodies.distances(placed, rows, bounds[near], (0.0, np.inf))
         deepest: dict[Pair, Nearness] = {}
         for k in np.flatnonzero(found[:, 0] - self.bodies.margins(rows) <= 0.0).tolist():
-            one = self.bodies.nearness(placed, rows[k], found[k], ROUGH)
+            one = self.bodies.nearness(placed, rows[k], found[k], COARSE)
             if one.distance < min(-TOUCH, deepest[one.pair].distance if one.pair in deepest else 0.0):
                 deepest[one.pair] = one
         return tuple(sorted(deepest.values(), key=lambda one: one.distance))
 
     def _drawn_so(self) -> list[Pair]:
         """Return the pairs of one robot or device that are in each other while it rests."""
-        looked = self._looked(AS_AT_START, ())
+        checked = self._checked(AS_AT_START, ())
         owner = owners(self.tree, frozenset(self.bodies.rows))
-        own = [pair for pair in looked.pairs if owner.get(pair[0], "") == owner.get(pair[1], pair[1])]
+        own = [pair for pair in checked.pairs if owner.get(pair[0], "") == owner.get(pair[1], pair[1])]
         rows = [(i, j) for one, other in own for i in self.bodies.rows[one] for j in self.bodies.rows[other]]
-        asked = replace(looked, rows=np.array(rows, np.intp).reshape(-1, 2))
-        return [one.pair for one in self._meetings(self._home, asked, AS_AT_START)]
+        own_pairs = replace(checked, rows=np.array(rows, np.intp).reshape(-1, 2))
+        return [one.pair for one in self._meetings(self._home, own_pairs, AS_AT_START)]
 
 
 def _is_seen(body: Body, mechanisms: Mapping[str, Mechanism], meshes: MeshPoints) -> bool:

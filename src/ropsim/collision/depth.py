@@ -14,7 +14,7 @@ MOST = 120
 depths were up to 1 mm too large, never too small."""
 FINE = 1e-9
 """A depth is found so finely [m]."""
-ROUGH = 5e-5
+COARSE = 5e-5
 """So finely where only people read it: round bodies take many steps for more [m]."""
 
 Support = Callable[[Array], Array]

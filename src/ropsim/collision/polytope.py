@@ -42,14 +42,14 @@ class Polytope:
         points: all corners that were added [m].
         flat: distance from a plane that counts as in it [m].
         faces: by number; a number is never used again.
-        beside: number of the face to the left of an edge.
+        face_of_edge: number of the face to the left of an edge.
         made: how many faces there have been.
     """
 
     points: list[Array]
     flat: float
     faces: dict[int, Face] = field(default_factory=dict)
-    beside: dict[tuple[int, int], int] = field(default_factory=dict)
+    face_of_edge: dict[tuple[int, int], int] = field(default_factory=dict)
     made: int = 0
 
     @classmethod
@@ -82,7 +82,7 @@ class Polytope:
         face = Face(corners, np.array([u, v, w]), u * x + v * y + w * z)
         number, self.made = self.made, self.made + 1
         self.faces[number] = face
-        self.beside.update(dict.fromkeys(face.edges, number))
+        self.face_of_edge.update(dict.fromkeys(face.edges, number))
         return number
 
     def add(self, point: Array, seen: int) -> tuple[list[int], list[int]]:
@@ -99,7 +99,7 @@ class Polytope:
         rim: list[tuple[int, int]] = []
         while waiting:
             for i, j in self.faces[waiting.pop()].edges:
-                number = self.beside[j, i]
+                number = self.face_of_edge[j, i]
                 face = self.faces[number]
                 if number in visible:
                     continue
@@ -107,13 +107,17 @@ class Polytope:
                     visible.add(number)
                     waiting.append(number)
         for number in visible:
-            rim += [edge for edge in self.faces[number].edges if self.beside[edge[1], edge[0]] not in visible]
+            rim += [
+                edge
+                for edge in self.faces[number].edges
+                if self.face_of_edge[edge[1], edge[0]] not in visible
+            ]
         if not rim or len({start for start, _ in rim}) < len(rim):
             return [], []
         gone = sorted(visible)
         for number in gone:
             for edge in self.faces.pop(number).edges:
-                del self.beside[edge]
+                del self.face_of_edge[edge]
         self.points.append(point)
         return gone, [self.put((i, j, len(self.points) - 1)) for i, j in sorted(rim)]
 

@@ -45,21 +45,21 @@ def from_triangles(points: Array, triangles: Array) -> Array:
     above = (area > 0.0) & (sides >= 0.0).all(axis=1)
     lengths = np.einsum("ksi,ksi->ks", edges, edges)
     share = np.clip(np.einsum("ksi,ksi->ks", rays, edges) / np.where(lengths > 0.0, lengths, 1.0), 0.0, 1.0)
-    beside = np.linalg.norm(rays - share[..., np.newaxis] * edges, axis=2).min(axis=1)
+    to_edges = np.linalg.norm(rays - share[..., np.newaxis] * edges, axis=2).min(axis=1)
     height = np.abs(np.einsum("ki,ki->k", normal, rays[:, 0])) / np.where(area > 0.0, area, 1.0)
-    return np.asarray(np.where(above, height, beside))
+    return np.asarray(np.where(above, height, to_edges))
 
 
 def _distances(corners: Array, points: Array) -> Array:
     """Return the distance of each point from the hull of corners [m], shape (k,)."""
     count, first = len(points), len(corners)
-    places = np.arange(first, first + count, dtype=np.float64)
+    numbers = np.arange(first, first + count, dtype=np.float64)
     bodies = np.zeros((count + 1, 4))
     bodies[0, 1] = first
-    bodies[1:, 0], bodies[1:, 1] = places, places + 1.0
+    bodies[1:, 0], bodies[1:, 1] = numbers, numbers + 1.0
     poses = np.tile([*np.eye(3).ravel(), 0.0, 0.0, 0.0], (count + 1, 1))
     pairs = np.column_stack([np.zeros(count), np.arange(1.0, count + 1.0)])
-    found, room = np.empty((count, 7)), np.zeros((16, 4))
+    found, work = np.empty((count, 7)), np.zeros((16, 4))
     every = np.vstack([corners, points])
-    distances(every, bodies, poses, pairs, np.zeros(count), np.array([np.inf, np.inf]), room, found)
+    distances(every, bodies, poses, pairs, np.zeros(count), np.array([np.inf, np.inf]), work, found)
     return found[:, 0]

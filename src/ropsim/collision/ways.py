@@ -7,7 +7,7 @@ import numpy as np
 from ropsim.collision.solid_bodies import Rows, SolidBodies
 from ropsim.spatial import Array, record
 
-ROOM = 256
+CAPACITY = 256
 """Episodes that are expected."""
 AT_ONCE = 2000
 """Number of pairs that are followed between progress reports: compiled code is not interrupted."""
@@ -107,13 +107,13 @@ def _followed(
     bodies: SolidBodies, items: Array, pairs: Array, carriers: Carriers, least: float, near: Array
 ) -> tuple[float, Array, Array]:
     """Follow pairs; return the least distance, gaps with their rows, and episodes."""
-    room = ROOM
+    capacity = CAPACITY
     while True:
         known = np.array([least, 0.0])
-        found, episodes = np.empty((len(pairs) + 1, 7)), np.empty((room, 3))
-        bodies.on_ways(items, pairs, (carriers.frames, carriers.travel), (known, found, near, episodes))
+        found, episodes = np.empty((len(pairs) + 1, 7)), np.empty((capacity, 3))
+        bodies.on_paths(items, pairs, (carriers.frames, carriers.travel), (known, found, near, episodes))
         count = int(known[1])
-        if count <= room:
+        if count <= capacity:
             break
-        room = count
+        capacity = count
     return float(known[0]), found[:-1, :2], episodes[:count]

@@ -38,7 +38,7 @@ class Movement(NamedTuple):
 
 
 class Approaches(NamedTuple):
-    """Results of `closest_on_ways`.
+    """Results of `closest_on_paths`.
 
     Attributes:
         least: least distance so far [m], becomes that of these pairs, too; then the number of episodes,
@@ -58,8 +58,8 @@ class Approaches(NamedTuple):
 
 
 @kernel
-def closest_on_ways(
-    convexes: Convexes, pairs: Array2, movement: Movement, poses: Array2, room: Array2, out: Approaches
+def closest_on_paths(
+    convexes: Convexes, pairs: Array2, movement: Movement, poses: Array2, work: Array2, out: Approaches
 ) -> None:
     """Find the least distance of pairs of convex bodies on moving carriers: conservative advancement.
 
@@ -72,7 +72,7 @@ def closest_on_ways(
             -1 where the motions of both are added; distance at which an episode begins [m]; shape (p, 7).
         movement: of the carriers.
         poses: work, shape (n, 12).
-        room: work, shape (19, 4).
+        work: work, shape (19, 4).
         out: the results.
     """
     points, bodies, items = convexes
@@ -84,36 +84,36 @@ def closest_on_ways(
         a, b = int(pairs[p, 0]), int(pairs[p, 1])
         k, last = int(pairs[p, 2]), int(pairs[p, 3])
         i, j = int(items[a, 0]), int(items[b, 0])
-        begun, within = -1, pairs[p, 6]
+        first, within = -1, pairs[p, 6]
         while k < last:
             limit = max(least[0], within) if pairs[p, 4] > 0.0 else within
-            gap = _rough_gap(items, frames, room, a, b, k)
+            gap = _gap_bound(items, frames, work, a, b, k)
             if gap <= limit:
                 _put(items, frames, poses, a, i, k)
                 _put(items, frames, poses, b, j, k)
-                pair_distance(points, bodies, poses, i, j, room, found, pairs.shape[0])
+                pair_distance(points, bodies, poses, i, j, work, found, pairs.shape[0])
                 gap = found[pairs.shape[0], 0] - bodies[i, 3] - bodies[j, 3]
                 if gap < found[p, 0]:
                     found[p, 0], found[p, 1] = gap, k
                 if pairs[p, 4] > 0.0 and gap < least[0]:
                     least[0] = gap
                     limit = max(gap, within)
-            if gap <= within and begun < 0:
-                begun = k
-            if gap > within and begun >= 0:
-                _note(episodes, least, p, begun, k - 1)
-                begun = -1
+            if gap <= within and first < 0:
+                first = k
+            if gap > within and first >= 0:
+                _note(episodes, least, p, first, k - 1)
+                first = -1
             ahead = _ahead(items, travel, pairs, p, k, gap - limit)
             if ahead == k:
                 if gap > 0.0 and pairs[p, 4] > 0.0:
                     near[k] = 1.0
                 ahead = k + 1
             k = ahead
-        if begun >= 0:
-            _note(episodes, least, p, begun, last - 1)
+        if first >= 0:
+            _note(episodes, least, p, first, last - 1)
 
 
-def _rough_gap(items: Array, frames: Array, room: Array, a: int, b: int, k: int) -> float:
+def _gap_bound(items: Array, frames: Array, work: Array, a: int, b: int, k: int) -> float:
     """Return a lower bound of the distance of two items at a row, by the balls and boxes around them [m]."""
     for side in range(2):
         t = a if side == 0 else b
@@ -124,29 +124,29 @@ def _rough_gap(items: Array, frames: Array, room: Array, a: int, b: int, k: int)
                 X = frames[carrier, k]
                 at = X[9 + r] + X[3 * r] * items[t, 2] + X[3 * r + 1] * items[t, 3]
                 at += X[3 * r + 2] * items[t, 4]
-            room[16 + side, r] = at
+            work[16 + side, r] = at
     square = 0.0
     for r in range(3):
-        square += (room[16, r] - room[17, r]) ** 2
+        square += (work[16, r] - work[17, r]) ** 2
     gap = sqrt(square) - items[a, 5] - items[b, 5]
-    gap = max(gap, _box_gap(items, frames, room, a, k) - items[b, 5])
-    return float(max(gap, _box_gap(items, frames, room, b, k) - items[a, 5]))
+    gap = max(gap, _box_gap(items, frames, work, a, k) - items[b, 5])
+    return float(max(gap, _box_gap(items, frames, work, b, k) - items[a, 5]))
 
 
-def _box_gap(items: Array, frames: Array, room: Array, t: int, k: int) -> float:
+def _box_gap(items: Array, frames: Array, work: Array, t: int, k: int) -> float:
     """Return the distance of the box around an item from the middle of the other ball [m]; 0 inside."""
     carrier = int(items[t, 1])
     for r in range(3):
-        room[18, r] = room[16, r] - room[17, r]
+        work[18, r] = work[16, r] - work[17, r]
     if carrier >= 0:
         X = frames[carrier, k]
-        x, y, z = room[18, 0], room[18, 1], room[18, 2]
+        x, y, z = work[18, 0], work[18, 1], work[18, 2]
         for r in range(3):
-            room[18, r] = X[r] * x + X[3 + r] * y + X[6 + r] * z
+            work[18, r] = X[r] * x + X[3 + r] * y + X[6 + r] * z
     square = 0.0
     for r in range(3):
         along = (
-            items[t, 7 + r] * room[18, 0] + items[t, 10 + r] * room[18, 1] + items[t, 13 + r] * room[18, 2]
+            items[t, 7 + r] * work[18, 0] + items[t, 10 + r] * work[18, 1] + items[t, 13 + r] * work[18, 2]
         )
         square += max(abs(along) - items[t, 19 + r], 0.0) ** 2
     return sqrt(square)
@@ -167,20 +167,20 @@ def _put(items: Array, frames: Array, poses: Array, t: int, i: int, k: int) -> N
         poses[i, 9 + r] = x * items[t, 16] + y * items[t, 17] + z * items[t, 18] + X[9 + r]
 
 
-def _ahead(items: Array, travel: Array, pairs: Array, p: int, k: int, room: float) -> int:
+def _ahead(items: Array, travel: Array, pairs: Array, p: int, k: int, distance: float) -> int:
     """Return the last row until which the items of a pair have moved by no more than some room [m]."""
     last = int(pairs[p, 3])
     if k + 1 >= last:
         return last
-    if not room > 0.0:
+    if not distance > 0.0:
         return k
     low, step = k, 1
-    while low + step < last and _moved(items, travel, pairs, p, k, low + step) <= room:
+    while low + step < last and _moved(items, travel, pairs, p, k, low + step) <= distance:
         low += step
         step *= 2
     while step > 1:
         step //= 2
-        if low + step < last and _moved(items, travel, pairs, p, k, low + step) <= room:
+        if low + step < last and _moved(items, travel, pairs, p, k, low + step) <= distance:
             low += step
     return last if low == last - 1 else low
 

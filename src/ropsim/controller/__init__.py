@@ -3,7 +3,7 @@
 from ropsim.controller.arm_poses import ArmPoses as ArmPoses
 from ropsim.controller.cascaded_p_pi import cascaded_p_pi as cascaded_p_pi
 from ropsim.controller.correction import Correction as Correction
-from ropsim.controller.correction import CorrectionRoom as CorrectionRoom
+from ropsim.controller.correction import CorrectionRange as CorrectionRange
 from ropsim.controller.correction import next_correction as next_correction
 from ropsim.controller.correction_room import ShiftedArm as ShiftedArm
 from ropsim.controller.correction_room import ShiftedJoints as ShiftedJoints

@@ -22,7 +22,7 @@ class Correction:
 
 
 @frozen_dataclass
-class CorrectionRoom:
+class CorrectionRange:
     """Limits of a correction in its next step.
 
     Attributes:
@@ -39,7 +39,7 @@ class CorrectionRoom:
 
 
 def next_correction(
-    now: Correction, speed: float, room: CorrectionRoom, left: float, period: float
+    now: Correction, speed: float, allowed: CorrectionRange, left: float, period: float
 ) -> Correction:
     """Return the correction one step on; in between its speed changes evenly.
 
@@ -50,29 +50,29 @@ def next_correction(
     Args:
         now: at the beginning of the step.
         speed: requested at its end [m/s].
-        room: limits.
+        allowed: limits.
         left: motion time behind the step, at whose end the correction stands [s].
         period: motion time of the step [s]; 0 where the motion is held, and so is the correction.
     """
     if period <= 0.0:
         return now
-    a = room.acceleration
-    top = min(room.speed, _GENTLE * a * left)
+    a = allowed.acceleration
+    top = min(allowed.speed, _GENTLE * a * left)
     requested = min(max(speed, -top), top)
     coasted = now.value + now.speed * period / 2.0
     margin = a * period * period / 8.0  # the last step of a braking may be a part of one
     gentle = _GENTLE * a
-    requested = min(requested, _braking(room.upper - margin - coasted, gentle, period))
-    requested = max(requested, -_braking(coasted - margin - room.lower, gentle, period))
-    requested = min(max(requested, -room.speed), room.speed)
+    requested = min(requested, _braking(allowed.upper - margin - coasted, gentle, period))
+    requested = max(requested, -_braking(coasted - margin - allowed.lower, gentle, period))
+    requested = min(max(requested, -allowed.speed), allowed.speed)
     after = min(max(requested, now.speed - a * period), now.speed + a * period)
     if left <= 0.0:
         after = 0.0
     return Correction(now.value + (now.speed + after) / 2.0 * period, after)
 
 
-def _braking(way: float, a: float, period: float) -> float:
+def _braking(distance: float, a: float, period: float) -> float:
     """Return the speed v after a step with v·T/2 + v²/(2·a) = way, negative where there is none left."""
     step = a * period / 2.0
-    speed = math.sqrt(step * step + 2.0 * a * abs(way)) - step
-    return math.copysign(speed, way)
+    speed = math.sqrt(step * step + 2.0 * a * abs(distance)) - step
+    return math.copysign(speed, distance)

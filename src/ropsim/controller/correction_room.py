@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropsim.controller.correction import Correction, CorrectionRoom
+from ropsim.controller.correction import Correction, CorrectionRange
 from ropsim.kinematics import forward, forward_batch, frame_and_jacobian
 from ropsim.model import CorrectionLimits, RobotModel
 from ropsim.spatial import Array, Pose, cross, record
@@ -15,7 +15,7 @@ SHARE = 0.1
 
 _MARGIN = 1e-3
 """Distance from a joint limit at which a correction ends [rad | m]."""
-_LOOK_SIDEWAYS = 4e-3
+_SIDE_STEP = 4e-3
 """How much further a correction must be possible for it to grow, half of it for it to stay [m]."""
 _SLOWEST = 5e-3
 """Speed that the joints must leave to a correction, or the posture is too near a singular one [m/s]."""
@@ -72,7 +72,7 @@ class ShiftedArm:
         """Return X_BT of the tool at coordinates q [rad | m], shape (n,)."""
         return forward(self.robot, q) @ self.X_MT
 
-    def room(self, limits: CorrectionLimits, q: Array, value: float) -> CorrectionRoom:
+    def range_at(self, limits: CorrectionLimits, q: Array, value: float) -> CorrectionRange:
         """Return how far and how quickly the path may be shifted here.
 
         A step dc of the correction turns the joints by g·dc with J·g = (u, 0). Speeds and accelerations keep
@@ -84,15 +84,15 @@ class ShiftedArm:
             q: joint coordinates with the correction [rad | m], shape (n,).
             value: correction now [m].
         """
-        return self._room_of(limits, self._placed(q), value)
+        return self._range_of(limits, self._placed(q), value)
 
-    def _room_of(self, limits: CorrectionLimits, placed: _Placed, value: float) -> CorrectionRoom:
+    def _range_of(self, limits: CorrectionLimits, placed: _Placed, value: float) -> CorrectionRange:
         robot, q = self.robot, placed.q
         J = self._of_arm(placed.J)
         u = np.concatenate((placed.X_BT[:3, :3] @ self.direction, np.zeros(3)))
         g = _least(J, u)
         if float(np.abs(J @ g - u).max()) > 1e-6:
-            return CorrectionRoom(min(value, 0.0), max(value, 0.0), 0.0, limits.acceleration)
+            return CorrectionRange(min(value, 0.0), max(value, 0.0), 0.0, limits.acceleration)
         sizes = np.maximum(np.abs(g), _TINY)
         speed = min(limits.speed, SHARE * float((robot.max_speeds / sizes).min()))
         acceleration = min(limits.acceleration, SHARE * float((robot.max_accelerations / sizes).min()))
@@ -100,7 +100,7 @@ class ShiftedArm:
         below = (q - robot.lower_limits - _MARGIN) / sizes
         up = float(np.where(g > 0.0, above, below)[np.abs(g) > _TINY].min())
         down = float(np.where(g > 0.0, below, above)[np.abs(g) > _TINY].min())
-        return CorrectionRoom(
+        return CorrectionRange(
             max(-limits.size, value - down), min(limits.size, value + up), speed, acceleration
         )
 
@@ -119,10 +119,10 @@ class ShiftedArm:
             guess: present shift of the joints.
         """
         bound = limits.size
-        if not self._is_free(limits, q_ahead, value + side * _LOOK_SIDEWAYS, guess):
+        if not self._is_free(limits, q_ahead, value + side * _SIDE_STEP, guess):
             bound = abs(value)
-            if not self._is_free(limits, q_ahead, value + side * _LOOK_SIDEWAYS / 2.0, guess):
-                bound = max(bound - _LOOK_SIDEWAYS, 0.0)
+            if not self._is_free(limits, q_ahead, value + side * _SIDE_STEP / 2.0, guess):
+                bound = max(bound - _SIDE_STEP, 0.0)
         return (-limits.size, bound) if side > 0.0 else (-bound, limits.size)
 
     def _is_free(self, limits: CorrectionLimits, q: Array, value: float, guess: ShiftedJoints) -> bool:
@@ -130,8 +130,8 @@ class ShiftedArm:
         there = self._found(q, self._matrix(q), value, guess) if value else self._placed(q)
         if there is None:
             return False
-        room = self._room_of(limits, there, 0.0)
-        return room.speed >= min(_SLOWEST, limits.speed) and room.lower < 0.0 < room.upper
+        allowed = self._range_of(limits, there, 0.0)
+        return allowed.speed >= min(_SLOWEST, limits.speed) and allowed.lower < 0.0 < allowed.upper
 
     def shifted(
         self, q: Array, qd: Array, correction: Correction, rate: float, guess: ShiftedJoints

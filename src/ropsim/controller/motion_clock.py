@@ -8,7 +8,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from ropsim.codegen import Compiled, bound
-from ropsim.controller.motion_clock_kernel import ClockNumbers, walk
+from ropsim.controller.motion_clock_kernel import ClockNumbers, advance_clock
 from ropsim.core import RopsimError, Severity, define
 from ropsim.flow import JointReference
 from ropsim.spatial import Array, record
@@ -128,7 +128,7 @@ def advance(
     whole = int(state.place)
     if override == 1.0 and state.rate == 1.0 and state.change == 0.0 and whole == state.place:
         return undisturbed(state, rows, ticks)
-    return _walked(state, rows, ticks, override, limits, period)
+    return _advanced(state, rows, ticks, override, limits, period)
 
 
 def undisturbed(state: ClockState, rows: Rows, ticks: int) -> tuple[ClockState, JointReference]:
@@ -154,7 +154,7 @@ def undisturbed(state: ClockState, rows: Rows, ticks: int) -> tuple[ClockState, 
     return ClockState(float(count - 1)), JointReference(q, qd, qdd)
 
 
-def _walked(
+def _advanced(
     state: ClockState, rows: Rows, ticks: int, override: float, limits: ClockLimits, period: float
 ) -> tuple[ClockState, JointReference]:
     """Return the result of the compiled loop on the rows within reach and look-ahead."""
@@ -165,7 +165,7 @@ def _walked(
     bench.q[:many], bench.qd[:many], bench.qdd[:many] = given.q, given.qd, given.qdd
     bench.limits[:] = limits.acceleration
     clock = ClockNumbers(first, rows.count - 1, override, limits.change, step, period)
-    bench.walk(clock, state.place, state.rate, state.change)
+    bench.advance_clock(clock, state.place, state.rate, state.change)
     q, qd, qdd = bench.out[:, :ticks].copy()
     return ClockState(*bench.out[:, ticks, 0].tolist()), JointReference(q, qd, qdd)
 
@@ -188,7 +188,7 @@ class _Bench(NamedTuple):
         qdd: [rad/s² | m/s²].
         limits: of the joint accelerations [rad/s² | m/s²].
         out: results.
-        walk: the compiled loop on these arrays.
+        advance_clock: the compiled loop on these arrays.
     """
 
     q: Array
@@ -196,11 +196,11 @@ class _Bench(NamedTuple):
     qdd: Array
     limits: Array
     out: Array
-    walk: Compiled
+    advance_clock: Compiled
 
 
 @lru_cache(maxsize=64)
-def _bench(_thread: int, ticks: int, room: int, n: int) -> _Bench:
+def _bench(_thread: int, ticks: int, size: int, n: int) -> _Bench:
     """Return the bench of a thread, as compiled code lets other threads go on meanwhile."""
-    rows, limits, out = np.zeros((3, room, n)), np.zeros(n), np.zeros((3, ticks + 1, n))
-    return _Bench(rows[0], rows[1], rows[2], limits, out, bound(walk, rows, limits, out))
+    rows, limits, out = np.zeros((3, size, n)), np.zeros(n), np.zeros((3, ticks + 1, n))
+    return _Bench(rows[0], rows[1], rows[2], limits, out, bound(advance_clock, rows, limits, out))

@@ -33,7 +33,7 @@ class ClockNumbers(NamedTuple):
 
 
 @kernel
-def walk(
+def advance_clock(
     rows: Array3, limits: Array1, out: Array3, clock: ClockNumbers, place: float, rate: float, before: float
 ) -> None:
     """Walk on, one control tick for each row of the result but the last.
@@ -53,8 +53,8 @@ def walk(
     first, last, override, change, step, period = clock
     ticks = out.shape[1] - 1
     for tick in range(ticks):
-        wished = _wished((override - rate) / period - before / 2.0, before, change, step)
-        after = _allowed(rows, limits, clock, place, rate, before, wished)
+        requested = _requested_change((override - rate) / period - before / 2.0, before, change, step)
+        after = _allowed(rows, limits, clock, place, rate, before, requested)
         stood = place >= last
         place = _next_place(place, rate, before, after, period, last)
         rate = _next_rate(rate, before, after, period)
@@ -68,7 +68,7 @@ def walk(
     out[0, ticks, 0], out[1, ticks, 0], out[2, ticks, 0] = place, rate, before
 
 
-def _wished(way: float, before: float, change: float, step: float) -> float:
+def _requested_change(difference: float, before: float, change: float, step: float) -> float:
     """Return the change at the next tick that brings the rate to the override in least time.
 
     Whoever goes down from c = m·h + r, 0 <= r < h, by steps of h, ends at 0 when the rate has gone
@@ -76,38 +76,44 @@ def _wished(way: float, before: float, change: float, step: float) -> float:
     not lead past the override the solution of (m + 1)·c - h·m·(m + 1)/2 = way.
 
     Args:
-        way: (override - rate)/T - before/2 [1/s].
+        difference: (override - rate)/T - before/2 [1/s].
         before: the change now [1/s].
         change: greatest change [1/s].
         step: h, greatest step of it [1/s].
     """
-    size = abs(way)
+    size = abs(difference)
     steps = floor((sqrt(1.0 + 8.0 * size / step) - 1.0) / 2.0)
     landing = min(size / (steps + 1.0) + step * steps / 2.0, change)
-    wished = landing if way > 0.0 else -landing
-    return min(max(wished, before - step), before + step)
+    requested = landing if difference > 0.0 else -landing
+    return min(max(requested, before - step), before + step)
 
 
 def _allowed(
-    rows: Array, limits: Array, clock: ClockNumbers, place: float, rate: float, before: float, wished: float
+    rows: Array,
+    limits: Array,
+    clock: ClockNumbers,
+    place: float,
+    rate: float,
+    before: float,
+    requested: float,
 ) -> float:
     """Return the change at the next tick: what is wished for, or what comes near it and is safe.
 
     Safe is a change from which full jerk can take it to 0 without a joint beyond its limit on the way; from
     a safe one the step towards 0 is safe again. A rate that does not change is always safe, as it is <= 1.
     """
-    if _is_safe(rows, limits, clock, place, rate, before, wished):
-        return wished
+    if _is_safe(rows, limits, clock, place, rate, before, requested):
+        return requested
     safe = _towards_zero(before, clock.step)
     near, far = 0.0, 1.0
     for _ in range(HALVINGS):
         share = (near + far) / 2.0
-        tried = safe + share * (wished - safe)
+        tried = safe + share * (requested - safe)
         if _is_safe(rows, limits, clock, place, rate, before, tried):
             near = share
         else:
             far = share
-    return safe + near * (wished - safe)
+    return safe + near * (requested - safe)
 
 
 def _is_safe(
@@ -156,8 +162,8 @@ def _next_rate(rate: float, before: float, after: float, period: float) -> float
 
 
 def _next_place(place: float, rate: float, before: float, after: float, period: float, last: int) -> float:
-    way = rate + (2.0 * before + after) / 6.0 * period
-    return min(place + max(way, 0.0), float(last))
+    step = rate + (2.0 * before + after) / 6.0 * period
+    return min(place + max(step, 0.0), float(last))
 
 
 def _reference(

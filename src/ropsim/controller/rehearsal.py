@@ -30,7 +30,7 @@ def rehearse(law: CompiledLaw, n: int) -> None:
     except KeyError:
         raise _fails(law, "its source defines no function `law`") from None
     except Exception as error:  # any exception of a user's source is reported
-        raise _fails(law, f"its source is no Python: {_told(error)}") from error
+        raise _fails(law, f"its source is no Python: {_description(error)}") from error
     out = np.zeros(n)
     arrays = (
         np.array(law.parameters),
@@ -41,14 +41,14 @@ def rehearse(law: CompiledLaw, n: int) -> None:
         with np.errstate(all="ignore"):
             function(*arrays, out)
     except Exception as error:  # any exception of a user's source is reported
-        raise _fails(law, f"at rest it stops with {_told(error)}") from error
+        raise _fails(law, f"at rest it stops with {_description(error)}") from error
     if not np.isfinite(out).all():
         raise _fails(law, f"at rest it puts out `{out.tolist()}`; every number must be finite")
 
 
 def failed(law: CompiledLaw, error: Exception) -> LawError:
     """Return the error of a law that stopped while it ran, or that cannot be compiled."""
-    return _fails(law, _told(error))
+    return _fails(law, _description(error))
 
 
 def _fails(law: CompiledLaw, found: str) -> LawError:
@@ -56,7 +56,7 @@ def _fails(law: CompiledLaw, found: str) -> LawError:
     return LawError(LAW_FAILS.at(None, f"law `{law.name}` fails: {found}", hint=hint))
 
 
-def _told(error: Exception) -> str:
+def _description(error: Exception) -> str:
     """Return the kind of an error, its first line with words, and where it was raised."""
     lines = [line.strip() for line in str(error).splitlines() if line.strip()]
     description = f"{type(error).__name__}: {lines[0]}" if lines else type(error).__name__

@@ -55,8 +55,8 @@ def shifted_reference(
         return reference
     time = reference.ticks * period
     s = (np.arange(1, reference.ticks + 1) / reference.ticks)[:, None]
-    v0, v1, way = before.qd * time, after.qd * time, after.q - before.q
-    c2, c3 = 3.0 * way - 2.0 * v0 - v1, v0 + v1 - 2.0 * way
+    v0, v1, shift = before.qd * time, after.qd * time, after.q - before.q
+    c2, c3 = 3.0 * shift - 2.0 * v0 - v1, v0 + v1 - 2.0 * shift
     q = before.q + s * (v0 + s * (c2 + s * c3))
     qd = (v0 + s * (2.0 * c2 + s * 3.0 * c3)) / time
     q[-1], qd[-1] = after.q, after.qd

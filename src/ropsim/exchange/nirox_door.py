@@ -8,7 +8,7 @@ from ropsim.exchange.losses.notes import listed
 from ropsim.model import RobotModel, WrittenRobot
 
 if TYPE_CHECKING:
-    from ropsim.nirox import Beside, ReadNirox
+    from ropsim.nirox import FurtherData, ReadNirox
 
 
 def read_nirox(source: SourceText) -> "ReadNirox":
@@ -22,30 +22,30 @@ def read_nirox(source: SourceText) -> "ReadNirox":
     return read(source)
 
 
-def write_nirox(robot: RobotModel, beside: "Beside | None" = None) -> WrittenRobot:
+def write_nirox(robot: RobotModel, further: "FurtherData | None" = None) -> WrittenRobot:
     """Return the NIROX file of a robot: `ropsim.nirox.write_nirox`.
 
     Args:
         robot: to be written.
-        beside: other data of the file that it comes from; None for none.
+        further: other data of the file that it comes from; None for none.
 
     Raises:
         MechanismError: the robot cannot be.
     """
     from ropsim.nirox import write_nirox as write
 
-    return write(robot, beside) if beside is not None else write(robot)
+    return write(robot, further) if further is not None else write(robot)
 
 
-def kept_lost(beside: "Beside") -> tuple[Diagnostic, ...]:
+def kept_lost(further: "FurtherData") -> tuple[Diagnostic, ...]:
     """Return the losses of a robot that leaves the format that keeps the other data of its file.
 
     Args:
-        beside: other data of a NIROX file, or one of AP242.
+        further: other data of a NIROX file, or one of AP242.
     """
-    if not beside.numbers:
+    if not further.numbers:
         return ()
-    names = listed(beside.instances[number].keyword for number in beside.numbers)
-    count = plural(len(beside.numbers), "thing")
+    names = listed(further.instances[number].keyword for number in further.numbers)
+    count = plural(len(further.numbers), "thing")
     words = f"what its file says beside the robot does not go over, {count}: {names}"
     return (LOST_DESCRIPTION.at(None, words, hint="NIROX (`.stp`) keeps them"),)

@@ -68,7 +68,7 @@ def _no_items() -> object:
     return {"isIncomplete": False, "items": []}
 
 
-ASKED: dict[str, Method] = {
+REQUESTS: dict[str, Method] = {
     "textDocument/completion": _about(parameters.CompletionAt, completions, _no_items),
     "textDocument/hover": _about(parameters.AtPosition, hover, _nothing),
     "textDocument/signatureHelp": _about(parameters.AtPosition, signature_help, _nothing),

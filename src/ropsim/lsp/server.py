@@ -25,7 +25,7 @@ from ropsim.lsp.protocol.messages import (
     request,
     result,
 )
-from ropsim.lsp.requests import ASKED, Method
+from ropsim.lsp.requests import REQUESTS, Method
 from ropsim.lsp.state import Phase, State
 from ropsim.version import __version__
 
@@ -76,7 +76,7 @@ def answer(state: State, call: Call, workshop: Workshop) -> Answer:
     if call.method in _LIFE:
         state, value = _LIFE[call.method](state, call.params)
         return state, (result(call.id, value),) if call.is_request else ()
-    table: dict[str, Method] = ASKED if call.is_request else _TOLD
+    table: dict[str, Method] = REQUESTS if call.is_request else _NOTIFICATIONS
     method = table.get(call.method)
     if method is None:
         unknown = failure(call.id, ErrorCode.METHOD_NOT_FOUND, f"`{call.method[:80]}` is not supported")
@@ -107,8 +107,10 @@ def settle(state: State, workshop: Workshop) -> Answer:
         return settled, tuple(_published(state, uri, workshop) for uri in sorted(state.stale))
     if not state.asks_again:
         return settled, ()
-    identity = f"ropsim-{state.asked}"
-    return replace(settled, asked=state.asked + 1), (request(identity, "workspace/diagnostic/refresh"),)
+    identity = f"ropsim-{state.refreshes}"
+    return replace(settled, refreshes=state.refreshes + 1), (
+        request(identity, "workspace/diagnostic/refresh"),
+    )
 
 
 def first_sight(state: State, workshop: Workshop) -> tuple[Json, ...]:
@@ -162,10 +164,10 @@ def _refusal(state: State, call: Call) -> Json | None:
 
 def _initialize(state: State, params: object) -> tuple[State, object]:
     encoding = encoding_of(params)
-    begun = replace(state, phase=Phase.RUNNING, encoding=encoding, pulls=pulls_of(params))
-    begun = replace(begun, marks_lines=marks_lines_of(params))
+    running = replace(state, phase=Phase.RUNNING, encoding=encoding, pulls=pulls_of(params))
+    running = replace(running, marks_lines=marks_lines_of(params))
     capabilities = {**CAPABILITIES, "positionEncoding": encoding}
-    return begun, {"capabilities": capabilities, "serverInfo": _IDENTITY}
+    return running, {"capabilities": capabilities, "serverInfo": _IDENTITY}
 
 
 def _shut_down(state: State, _: object) -> tuple[State, object]:
@@ -192,7 +194,7 @@ def _close(state: State, params: parameters.OfDocument, workshop: Workshop) -> S
     return state.closed(params.text_document.uri)
 
 
-def _look_again(state: State, _: parameters.Anything, workshop: Workshop) -> State:
+def _reread(state: State, _: parameters.Anything, workshop: Workshop) -> State:
     workshop.workspace.keep()
     return state.all_stale()
 
@@ -201,10 +203,10 @@ _LIFE: dict[str, Callable[[State, object], tuple[State, object]]] = {
     "initialize": _initialize,
     "shutdown": _shut_down,
 }
-_TOLD = {
+_NOTIFICATIONS = {
     "textDocument/didOpen": Method(parameters.DidOpen, _open),
     "textDocument/didChange": Method(parameters.DidChange, _change),
     "textDocument/didClose": Method(parameters.OfDocument, _close),
-    "textDocument/didSave": Method(parameters.Anything, _look_again),
-    "workspace/didChangeWatchedFiles": Method(parameters.Anything, _look_again),
+    "textDocument/didSave": Method(parameters.Anything, _reread),
+    "workspace/didChangeWatchedFiles": Method(parameters.Anything, _reread),
 }

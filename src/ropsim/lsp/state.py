@@ -31,7 +31,7 @@ class State:
         unmarked: URIs whose line results have not been published since their last change.
         asks_again: whether the editor is to get a refresh request, since findings have changed of documents
             that it does not edit.
-        asked: number of requests that the server has sent.
+        refreshes: number of requests that the server has sent.
         exit_code: of the process, once it is over.
     """
 
@@ -43,7 +43,7 @@ class State:
     marks_lines: bool = False
     unmarked: frozenset[str] = frozenset()
     asks_again: bool = False
-    asked: int = 0
+    refreshes: int = 0
     exit_code: int = 1
 
     def opened(self, document: Document) -> "State":

@@ -20,7 +20,7 @@ from ropsim.lsp.protocol.messages import read_message as read_message
 from ropsim.lsp.protocol.parameters import ContentChange as ContentChange
 from ropsim.lsp.protocol.parameters import Position as Position
 from ropsim.lsp.protocol.parameters import Range as Range
-from ropsim.lsp.requests import ASKED as ASKED
+from ropsim.lsp.requests import REQUESTS as REQUESTS
 from ropsim.lsp.server import CAPABILITIES as CAPABILITIES
 from ropsim.lsp.server import first_sight as first_sight
 from ropsim.lsp.state import Phase as Phase

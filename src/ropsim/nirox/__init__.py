@@ -1,7 +1,7 @@
 """NIROX: the neutral model of an arm as an exchange file of ISO 10303-21."""
 
-from ropsim.nirox.beside import Beside as Beside
 from ropsim.nirox.building import FurtherFrame as FurtherFrame
+from ropsim.nirox.further_data import FurtherData as FurtherData
 from ropsim.nirox.products.plain_writing import write_mechanism as write_mechanism
 from ropsim.nirox.reading import ReadNirox as ReadNirox
 from ropsim.nirox.reading import nirox_places as nirox_places

@@ -5,9 +5,9 @@ from collections.abc import Iterator
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.express import validate
 from ropsim.model import PlaceOf, ReadRobot, RobotModel, audit, nowhere
-from ropsim.nirox.beside import NOTHING, Beside, beside_of
 from ropsim.nirox.building import FurtherFrame
 from ropsim.nirox.diagnostics import KEPT, LOST, NOT_NIROX
+from ropsim.nirox.further_data import NOTHING, FurtherData, further_data_of
 from ropsim.nirox.products.plain_mechanism import SCHEMA, with_arm
 from ropsim.nirox.products.product_masses import with_masses
 from ropsim.nirox.readers.arm import read_arm
@@ -36,11 +36,11 @@ class ReadNirox(ReadRobot):
 
     Attributes:
         conformance: the class of the file; nothing where there is no robot.
-        beside: data that the model does not hold; pass it to `write_nirox` to write them again.
+        further: data that the model does not hold; pass it to `write_nirox` to write them again.
     """
 
     conformance: ConformanceClass | None = None
-    beside: Beside = NOTHING
+    further: FurtherData = NOTHING
 
 
 def read_nirox(source: SourceText) -> ReadNirox:
@@ -66,12 +66,12 @@ def read_nirox(source: SourceText) -> ReadNirox:
     if any(one.is_error for one in found):
         return ReadNirox(None, found)
     made = _robot(seen, source.name)
-    told = (*found, *seen.findings)
+    found_here = (*found, *seen.findings)
     if made is None:
-        return ReadNirox(None, told)
+        return ReadNirox(None, found_here)
     robot, frames = made
-    beside = beside_of(seen, robot, frames)
-    return ReadNirox(robot, (*told, *_kept(seen, beside)), conformance_of(robot), beside)
+    further = further_data_of(seen, robot, frames)
+    return ReadNirox(robot, (*found_here, *_kept(seen, further)), conformance_of(robot), further)
 
 
 def read_valid_nirox(source: SourceText) -> RobotModel:
@@ -130,19 +130,19 @@ def _robot(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...]]
     return None if seen.is_refused else made
 
 
-def _kept(seen: Seen, beside: Beside) -> Iterator[Diagnostic]:
+def _kept(seen: Seen, further: FurtherData) -> Iterator[Diagnostic]:
     """Yield findings on kept entities: unknown ones, and entities without an effect."""
     if seen.unknown:
         shown = ", ".join(f"`{one[:60]}`" for one in seen.unknown[:_NAMED])
         more = f" and {len(seen.unknown) - _NAMED} more" if len(seen.unknown) > _NAMED else ""
         yield KEPT.at(None, f"entities that say nothing here are kept: {shown}{more}")
     held: dict[str, int] = {}
-    for number in beside.numbers:
+    for number in further.numbers:
         lineage = seen.population.lineage(number)
         if set(lineage) & set(_WITHOUT_EFFECT):
             held.setdefault(lineage[-1], number)
-    told = {one.span for one in seen.findings}
+    spans = {one.span for one in seen.findings}
     for number in held.values():
         span = seen.population.file.span(seen.population.instances[number])
-        if span not in told:
+        if span not in spans:
             yield LOST.at(span, f"{seen.called(number)}: what it says has no effect here; it is kept")

@@ -1,44 +1,44 @@
 """The instances of a robot, joined with the other data of its file."""
 
-from ropsim.nirox.beside import Beside
 from ropsim.nirox.building import Building
+from ropsim.nirox.further_data import FurtherData
 from ropsim.part21 import Instance, Record, Reference, Typed, Value, references
 
 
-def rejoined(building: Building, beside: Beside) -> tuple[tuple[Instance, ...], tuple[Instance, ...]]:
+def rejoined(building: Building, further: FurtherData) -> tuple[tuple[Instance, ...], tuple[Instance, ...]]:
     """Return all instances to be written, and the kept ones whose references are lost.
 
     Args:
         building: the instances of the robot.
-        beside: other data of its file; its instances have the numbers of that file.
+        further: other data of its file; its instances have the numbers of that file.
     """
-    joining = _Joining(building, beside)
+    joining = _Joining(building, further)
     own = tuple(joining.own(instance) for instance in building.instances())
     return (*own, *joining.kept()), joining.lost()
 
 
 class _Joining:
-    def __init__(self, building: Building, beside: Beside) -> None:
+    def __init__(self, building: Building, further: FurtherData) -> None:
         self._building = building
-        self._beside = beside
+        self._further = further
         self._keys = {number: key for key, number in building.numbers.items()}
-        wanted = {number: None for number in beside.numbers}
-        for others in beside.further.values():
+        wanted = {number: None for number in further.numbers}
+        for others in further.further.values():
             wanted.update(dict.fromkeys(others))
-        for _, number in beside.replaced.values():
+        for _, number in further.replaced.values():
             wanted.update(dict.fromkeys(self._others(number)))
         self._bad: set[int] = set()
         self._copied = self._closed(list(wanted))
-        order = [one for one in beside.instances if one in self._copied and one not in self._bad]
+        order = [one for one in further.instances if one in self._copied and one not in self._bad]
         first = len(building.numbers) + 1
         self._numbers = {number: first + place for place, number in enumerate(order)}
 
     def own(self, instance: Instance) -> Instance:
         """Return an instance of the robot with its other data from the file."""
-        key, beside = self._keys[instance.number], self._beside
-        if key in beside.replaced:
-            written, number = beside.replaced[key]
-            original = beside.instances[number]
+        key, data = self._keys[instance.number], self._further
+        if key in data.replaced:
+            written, number = data.replaced[key]
+            original = data.instances[number]
             if _plain(written) == _plain(instance.records[0].values) and self._can_be(number):
                 return Instance(instance.number, tuple(map(self._mapped, original.records)))
         if len(instance.records) > 1:
@@ -46,15 +46,13 @@ class _Joining:
         record = instance.records[0]
         values = list(record.values)
         changes = {
-            place: beside.changes[key, place]
-            for place in range(len(values))
-            if (key, place) in beside.changes
+            place: data.changes[key, place] for place in range(len(values)) if (key, place) in data.changes
         }
         if all(values[place] == ours for place, (ours, _) in changes.items()):
             for place, (_, theirs) in changes.items():
                 values[place] = theirs
         for place, value in enumerate(values):
-            more = [one for one in beside.further.get((key, place), ()) if one in self._numbers]
+            more = [one for one in data.further.get((key, place), ()) if one in self._numbers]
             if more and isinstance(value, tuple):
                 values[place] = (*value, *(Reference(self._numbers[one]) for one in more))
         return Instance(instance.number, (Record(record.keyword, tuple(values)),))
@@ -62,23 +60,23 @@ class _Joining:
     def kept(self) -> tuple[Instance, ...]:
         """Return the kept instances, with new numbers."""
         return tuple(
-            Instance(number, tuple(map(self._mapped, self._beside.instances[original].records)))
+            Instance(number, tuple(map(self._mapped, self._further.instances[original].records)))
             for original, number in self._numbers.items()
         )
 
     def lost(self) -> tuple[Instance, ...]:
         """Return the kept instances that refer to instances the robot no longer has."""
-        return tuple(self._beside.instances[one] for one in self._beside.numbers if one in self._bad)
+        return tuple(self._further.instances[one] for one in self._further.numbers if one in self._bad)
 
     def _others(self, number: int) -> list[int]:
         """Return the references of an instance of the file that the robot does not write itself."""
         found = []
-        for record in self._beside.instances[number].records:
+        for record in self._further.instances[number].records:
             found += [one for one in references(record.values) if not self._is_own(one)]
         return found
 
     def _is_own(self, number: int) -> bool:
-        return self._beside.keys.get(number) in self._building.numbers
+        return self._further.keys.get(number) in self._building.numbers
 
     def _can_be(self, number: int) -> bool:
         return all(one in self._numbers for one in self._others(number))
@@ -92,7 +90,7 @@ class _Joining:
             if number in found:
                 continue
             found.add(number)
-            if number in self._beside.keys and number not in self._beside.numbers:
+            if number in self._further.keys and number not in self._further.numbers:
                 self._bad.add(number)
             for other in self._others(number):
                 users.setdefault(other, []).append(number)
@@ -110,7 +108,7 @@ class _Joining:
 
     def _turned(self, value: Value) -> Value:
         if isinstance(value, Reference):
-            key = self._beside.keys.get(value.number)
+            key = self._further.keys.get(value.number)
             own = self._building.numbers.get(key) if key is not None else None
             return Reference(own if own is not None else self._numbers[value.number])
         if isinstance(value, tuple):

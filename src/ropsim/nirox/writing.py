@@ -3,8 +3,8 @@
 from ropsim.core import Diagnostic
 from ropsim.express import Population, validate
 from ropsim.model import RobotModel, WrittenRobot, check_counts
-from ropsim.nirox.beside import NOTHING, Beside
 from ropsim.nirox.diagnostics import LOST, REFUSED
+from ropsim.nirox.further_data import NOTHING, FurtherData
 from ropsim.nirox.rejoined import rejoined
 from ropsim.nirox.schema_text import NAME, nirox_schema
 from ropsim.nirox.writers.built import built
@@ -14,7 +14,7 @@ from ropsim.version import __version__
 _HINT = "`ropsim robot audit` says more of the numbers of a robot"
 
 
-def write_nirox(robot: RobotModel, beside: Beside = NOTHING) -> WrittenRobot:
+def write_nirox(robot: RobotModel, further: FurtherData = NOTHING) -> WrittenRobot:
     """Return the NIROX file of a robot in its one canonical form.
 
     Read again it is the same robot, to the last bit, except for reported losses. The text conforms to the
@@ -22,15 +22,15 @@ def write_nirox(robot: RobotModel, beside: Beside = NOTHING) -> WrittenRobot:
 
     Args:
         robot: to be written.
-        beside: other data of the file that it comes from, written again.
+        further: other data of the file that it comes from, written again.
 
     Raises:
         MechanismError: the robot cannot be.
     """
     check_counts(robot)
-    frames = tuple(one for one in beside.frames if one.link < len(robot.joints))
+    frames = tuple(one for one in further.frames if one.link < len(robot.joints))
     made = built(robot, frames)
-    instances, gone = rejoined(made.building, beside)
+    instances, gone = rejoined(made.building, further)
     losses = [*made.losses]
     if gone:
         names = ", ".join(f"#{one.number} {one.keyword[:60]}" for one in gone[:6])

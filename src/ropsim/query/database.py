@@ -56,7 +56,7 @@ class _Answer:
         value: its answer.
         changed: revision in which the value last changed.
         verified: revision in which it was last found to hold.
-        asked: version in which the answer was last requested.
+        requested: version in which the answer was last requested.
         inputs: that it was made of.
         answers: answers that it was made of, in the order of the requests.
         users: answers that were made of it.
@@ -67,7 +67,7 @@ class _Answer:
     value: Any
     changed: int
     verified: int
-    asked: int
+    requested: int
     inputs: tuple[_Input, ...] = ()
     answers: "tuple[_Answer, ...]" = ()
     users: Users = ()
@@ -165,7 +165,7 @@ class Database:
             found = self._verified(key, found)
         if self._running:
             self._running[-1].answers[found] = None
-        found.asked = self._version
+        found.requested = self._version
         value: T = found.value
         return value
 
@@ -177,7 +177,7 @@ class Database:
         found = self._answers.get((function, *given))
         if found is None or found.is_doubtful:
             return None
-        found.asked = self._version
+        found.requested = self._version
         value: T = found.value
         return value
 
@@ -201,14 +201,14 @@ class Database:
         try:
             value = function(self, *key[1:])
         finally:
-            looked = self._running.pop()
+            running = self._running.pop()
         is_kept = known is not None and function not in _ALWAYS_NEW and is_same(known.value, value)
         if known is None:
             known = self._answers[key] = _Answer(key, value, self.revision, self.revision, self._version)
         elif not is_kept:
             known.value, known.changed = value, self.revision
         known.verified, known.is_doubtful = self.revision, False
-        self._connect(known, tuple(looked.inputs), tuple(looked.answers))
+        self._connect(known, tuple(running.inputs), tuple(running.answers))
         self._note(key, Outcome.SAME if is_kept else Outcome.RAN)
         return known
 
@@ -222,10 +222,10 @@ class Database:
                 one.users = with_user(one.users, key)
             found.inputs = inputs
         if found.answers != answers:
-            for asked in found.answers:
-                asked.users = without_user(asked.users, key)
-            for asked in answers:
-                asked.users = with_user(asked.users, key)
+            for answer in found.answers:
+                answer.users = without_user(answer.users, key)
+            for answer in answers:
+                answer.users = with_user(answer.users, key)
             found.answers = answers
 
     def _holds(self, known: _Answer) -> bool:
@@ -255,7 +255,7 @@ class Database:
     def _forget(self) -> None:
         """Discard unused answers; the dependencies of answers in use stay."""
         oldest = self._version - KEPT_VERSIONS
-        work = [one for one in self._answers.values() if one.asked >= oldest]
+        work = [one for one in self._answers.values() if one.requested >= oldest]
         kept: dict[Key, _Answer] = {}
         while work:
             one = work.pop()

@@ -8,7 +8,7 @@ import numpy as np
 from ropsim.core import Diagnostic
 from ropsim.simulation.devices.device_run import NEVER, Carried, DeviceRun, Now
 from ropsim.simulation.diagnostics.part_diagnostics import RUN_OFF
-from ropsim.simulation.grips.feeding import along, feed, room_at
+from ropsim.simulation.grips.feeding import along, feed, free_from
 from ropsim.simulation.parts.placements import Exit, Placements
 from ropsim.simulation.records.track import tick_at
 from ropsim.simulation.state.cell_run import CellRun
@@ -23,7 +23,7 @@ def act(run: CellRun, device: DeviceRun) -> None:
     response = device.driving.act(device.profile, Now(time, lambda name: run.is_on(name, time), carried))
     place = bisect_right(device.scripted, tick)
     nexts = list(device.scripted[place : place + 1])
-    due = min(response.due, room_at(run, device, time))
+    due = min(response.due, free_from(run, device, time))
     if due < math.inf:
         nexts.append(max(tick_at(due, run.hz), tick + 1))
     device.due = min(nexts, default=NEVER)

@@ -12,8 +12,8 @@ from ropsim.flow import Recording
 from ropsim.icr import Program
 from ropsim.model import Cell
 from ropsim.simulation.acting import act
-from ropsim.simulation.findings.shared_programs import told_at
-from ropsim.simulation.grips.handing import look_for_pulls
+from ropsim.simulation.findings.shared_programs import findings_at
+from ropsim.simulation.grips.handing import find_pulls
 from ropsim.simulation.recording.record import recording_of
 from ropsim.simulation.state.cell_run import CellRun
 from ropsim.simulation.state.run_options import RunOptions
@@ -49,7 +49,7 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
             act(state, device)
             continue
         least = state.stations[name].due
-        look_for_pulls(state, least, programs)
+        find_pulls(state, least, programs)
         if least != forgotten:
             forgotten = least
             for at in state.stations.values():
@@ -58,7 +58,7 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
         if name in state.at_work:
             state.watch.advanced(state)
     state.come_together()
-    look_for_pulls(state, state.tick, programs)
+    find_pulls(state, state.tick, programs)
     state.watch.ended(state)
     return recording_of(state, programs, options)
 
@@ -78,4 +78,4 @@ def _work_on(state: CellRun, name: str, programs: Mapping[str, Program]) -> None
     except StopIteration:
         del state.at_work[name]
     if len(state.findings) > known:
-        state.findings[known:] = told_at(name, programs, state.findings[known:])
+        state.findings[known:] = findings_at(name, programs, state.findings[known:])

@@ -81,13 +81,13 @@ def _take(content: bytes) -> str:
     assert not mechanism_findings(found.robot)
     audit(found.robot)
     assert np.isfinite(forward(found.robot, found.robot.home).matrix()).all()
-    written = write_nirox(found.robot, found.beside)
+    written = write_nirox(found.robot, found.further)
     if not written.text:
         assert {one.code for one in written.losses} == {"X956"}
         return "refused"
     again = read_nirox(SourceText("b.stp", written.text))
     assert again.robot is not None, again.findings
-    assert write_nirox(again.robot, again.beside).text == written.text
+    assert write_nirox(again.robot, again.further).text == written.text
     return "read"
 
 

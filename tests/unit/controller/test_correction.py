@@ -9,7 +9,7 @@ import pytest
 from ropsim import robots
 from ropsim.controller import (
     Correction,
-    CorrectionRoom,
+    CorrectionRange,
     ShiftedArm,
     ShiftedJoints,
     next_correction,
@@ -24,14 +24,14 @@ from ropsim.planning.sequence_checks import with_correction
 from ropsim.spatial import Pose
 
 PERIOD = 4e-3
-ROOM = CorrectionRoom(-0.02, 0.02, 0.02, 0.5)
+ROOM = CorrectionRange(-0.02, 0.02, 0.02, 0.5)
 EXACT = 1e-12
 ROBOT = robots.load("puma560")
 X_MT = Pose(np.array([0.05, 0.0, 0.1]))
 POSTURE = np.array([0.2, 0.6, -2.0, 0.4, 0.7, -0.2])  # away from singular postures and limits
 
 
-def walk(speeds: list[float], room: CorrectionRoom = ROOM, left: float = 10.0) -> list[Correction]:
+def walk(speeds: list[float], room: CorrectionRange = ROOM, left: float = 10.0) -> list[Correction]:
     found = [Correction()]
     for number, one in enumerate(speeds):
         rest = left - (number + 1) * PERIOD
@@ -66,7 +66,7 @@ def test_a_correction_waits_while_the_motion_is_held() -> None:
 
 
 def test_a_correction_goes_back_where_its_room_has_become_smaller() -> None:
-    narrow = CorrectionRoom(-0.02, 0.005, 0.02, 0.5)
+    narrow = CorrectionRange(-0.02, 0.005, 0.02, 0.5)
     found = [Correction(0.01)]
     for _ in range(400):
         found.append(next_correction(found[-1], 1.0, narrow, 10.0, PERIOD))
@@ -111,7 +111,7 @@ def test_a_correction_has_room_up_to_the_range_of_a_joint() -> None:
     limits = CorrectionLimits(size=0.5, speed=0.02, acceleration=0.5)
     near = POSTURE.copy()
     near[4] = ROBOT.upper_limits[4] - 1.001e-3
-    room = arm.room(limits, near, 0.0)
+    room = arm.range_at(limits, near, 0.0)
     assert min(room.upper, -room.lower) < 1e-4 < max(room.upper, -room.lower)
 
 
@@ -120,17 +120,17 @@ def test_a_correction_near_a_singular_posture_is_slow() -> None:
     straight = POSTURE.copy()
     straight[4] = 1e-3
     limits = CorrectionLimits()
-    assert arm.room(limits, straight, 0.0).speed < 0.2 * arm.room(limits, POSTURE, 0.0).speed
+    assert arm.range_at(limits, straight, 0.0).speed < 0.2 * arm.range_at(limits, POSTURE, 0.0).speed
 
 
 def test_an_arm_that_cannot_shift_its_tool_without_turning_it_has_no_room() -> None:
     planar = robots.load("two_link")
     for direction in ((0.0, 0.0, 1.0), (1.0, 0.0, 0.0)):
         arm = ShiftedArm(planar, Pose(), np.array(direction))
-        assert arm.room(CorrectionLimits(), np.full(2, 0.3), 0.0).speed == 0.0
+        assert arm.range_at(CorrectionLimits(), np.full(2, 0.3), 0.0).speed == 0.0
     scara = robots.load("scara")
     upright = ShiftedArm(scara, Pose(), np.array([0.0, 0.0, 1.0]))
-    assert upright.room(CorrectionLimits(), scara.home, 0.0).speed > 0.0
+    assert upright.range_at(CorrectionLimits(), scara.home, 0.0).speed > 0.0
 
 
 def test_references_to_which_nothing_is_added_are_the_same() -> None:
@@ -154,7 +154,7 @@ def test_what_is_added_has_no_step_in_speed_from_slice_to_slice() -> None:
 def test_the_standard_corrector_does_not_swing_past_however_great_its_gain_and_the_difference() -> None:
     limits = CorrectionLimits(size=0.05, speed=1.0, acceleration=0.5)
     corrector = StandardPathCorrector(limits)
-    room = CorrectionRoom(-limits.size, limits.size, limits.speed, limits.acceleration)
+    room = CorrectionRange(-limits.size, limits.size, limits.speed, limits.acceleration)
     for gain in (5.0, 20.0, 30.0):
         tracking, now, shifts = PathTracking("gap", 0.0, gain=gain), Correction(), []
         for _ in range(2000):
@@ -169,7 +169,7 @@ def test_the_standard_corrector_does_not_swing_past_however_great_its_gain_and_t
 
 def test_a_correction_takes_its_share_of_the_speeds_and_accelerations_of_the_joints_and_no_more() -> None:
     arm = ShiftedArm(ROBOT, X_MT, np.array([0.0, 0.0, 1.0]))
-    room = arm.room(CorrectionLimits(size=0.5, speed=100.0, acceleration=1e4), POSTURE, 0.0)
+    room = arm.range_at(CorrectionLimits(size=0.5, speed=100.0, acceleration=1e4), POSTURE, 0.0)
     step = 1e-5
     added = arm.shifted(POSTURE, np.zeros(6), Correction(step), 1.0, arm.still)
     assert added is not None

@@ -9,7 +9,7 @@ import pytest
 
 from ropsim.controller import ClockError, ClockLimits, ClockState, advance, motion_clock
 from ropsim.controller.motion_clock_kernel import ClockNumbers
-from ropsim.controller.motion_clock_kernel import walk as walk_kernel
+from ropsim.controller.motion_clock_kernel import advance_clock as walk_kernel
 from ropsim.flow import JointReference
 from ropsim.spatial import Array
 from support.in_python import in_python

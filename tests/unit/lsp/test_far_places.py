@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from ropsim.lsp.testing import ASKED
+from ropsim.lsp.testing import REQUESTS
 from support.editors import Editor, place, uri_of
 from support.work import calls_of, peak_of
 
@@ -24,7 +24,7 @@ NAMES = ("main.task", "cell.toml", "kb/tasks.pl", "robots/r.toml")
 def opened(request: pytest.FixtureRequest, tmp_path: Path) -> tuple[Editor, str]:
     editor, uri = Editor(), uri_of(tmp_path / request.param)
     editor.open(uri, TEXT)
-    for method in ASKED:  # what is made once for all answers is made
+    for method in REQUESTS:  # what is made once for all answers is made
         editor.ask(method, **params(uri, place(1, 0), place(2, 0)))
     return editor, uri
 
@@ -56,7 +56,7 @@ def test_places_behind_the_end_are_those_of_the_end(
     opened: tuple[Editor, str], places: tuple[Any, Any]
 ) -> None:
     editor, uri = opened
-    for method in ASKED:
+    for method in REQUESTS:
         asked = partial(editor.ask, method, **params(uri, *places))
         assert calls_of(asked) < MOST_CALLS, method
     assert peak_of(lambda: editor.ask("textDocument/codeAction", **params(uri, *places))) < MOST_MEMORY
@@ -67,7 +67,7 @@ def test_a_place_behind_the_end_is_answered_as_the_end(tmp_path: Path) -> None:
     editor.open(uri, TEXT)
     lines = TEXT.split("\n")
     last = place(len(lines) - 1, len(lines[-1]))
-    for method in ASKED:
+    for method in REQUESTS:
         far = params(uri, place(0, 0), place(FAR, 7)) | {"position": place(FAR, 7)}
         there = params(uri, place(0, 0), last) | {"position": last}
         assert editor.ask(method, **far) == editor.ask(method, **there), method
@@ -76,7 +76,7 @@ def test_a_place_behind_the_end_is_answered_as_the_end(tmp_path: Path) -> None:
 @pytest.mark.parametrize("number", NO_PLACES, ids=repr)
 def test_what_is_no_number_of_a_place_is_refused(opened: tuple[Editor, str], number: Any) -> None:
     editor, uri = opened
-    for method, asked in ASKED.items():
+    for method, asked in REQUESTS.items():
         fields = asked.params.__struct_fields__
         for wrong in (place(number, 0), place(0, number)):
             found = editor.ask(method, **params(uri, wrong, wrong))

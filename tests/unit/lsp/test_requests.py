@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from ropsim.lsp.testing import ASKED, CAPABILITIES
+from ropsim.lsp.testing import CAPABILITIES, REQUESTS
 from support.fuzzing.server import SESSION
 from support.manual import DOCS
 
@@ -34,11 +34,11 @@ def described() -> set[str]:
         parts = first.split("/")[:-1]
         for other in others:
             begins = ["/".join((*parts[:count], other)) for count in range(len(parts) + 1)]
-            found.add(next((one for one in begins if one in ASKED), other))
+            found.add(next((one for one in begins if one in REQUESTS), other))
     return found
 
 
-@pytest.mark.parametrize("method", ASKED)
+@pytest.mark.parametrize("method", REQUESTS)
 def test_a_request_is_announced_among_the_capabilities(method: str) -> None:
     value: Any = CAPABILITIES
     for key in capability(method):
@@ -47,7 +47,7 @@ def test_a_request_is_announced_among_the_capabilities(method: str) -> None:
     assert value
 
 
-@pytest.mark.parametrize("method", ASKED)
+@pytest.mark.parametrize("method", REQUESTS)
 def test_a_request_is_described_in_the_manual_and_asked_at_random(method: str) -> None:
     assert method in described()
     assert method in {message["method"] for message in SESSION}
@@ -55,4 +55,4 @@ def test_a_request_is_described_in_the_manual_and_asked_at_random(method: str) -
 
 def test_nothing_is_announced_that_is_not_answered() -> None:
     providers = {key for key in CAPABILITIES if key.endswith("Provider")}
-    assert providers == {capability(method)[0] for method in ASKED}
+    assert providers == {capability(method)[0] for method in REQUESTS}

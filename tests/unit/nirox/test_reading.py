@@ -60,7 +60,7 @@ def test_degrees_are_converted_and_come_out_as_radians() -> None:
     assert robot is not None
     assert robot.joints[0].lower == -np.pi
     assert (robot.joints[0].upper, robot.home[0]) == (np.pi / 2, np.pi / 4)
-    text = write_nirox(robot, found.beside).text
+    text = write_nirox(robot, found.further).text
     assert "DEGREE" not in text
     assert read(text).robot == robot
 

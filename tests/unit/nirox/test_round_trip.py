@@ -63,7 +63,7 @@ def again(robot: RobotModel) -> RobotModel:
     found = read(written.text)
     assert found.robot is not None, found.findings
     assert not any(one.is_error for one in found.findings)
-    assert write_nirox(found.robot, found.beside).text == written.text
+    assert write_nirox(found.robot, found.further).text == written.text
     return found.robot
 
 
@@ -249,7 +249,7 @@ def test_a_file_written_by_hand_reads_as_it_says_and_keeps_its_names() -> None:
     assert robot.drives[0] == Drive(
         VoltageAmplifier(48.0, 10.0), motor, Gear(100.0), Friction(1e-4, 0.02, -0.02)
     )
-    text = write_nirox(robot, found.beside).text
+    text = write_nirox(robot, found.further).text
     for word in (
         "'Example','Two links'",
         "KINEMATIC_LINK('hand')",
@@ -260,7 +260,7 @@ def test_a_file_written_by_hand_reads_as_it_says_and_keeps_its_names() -> None:
         assert word in text
     second = read(text)
     assert second.robot == robot
-    assert write_nirox(robot, second.beside).text == text
+    assert write_nirox(robot, second.further).text == text
 
 
 def test_joint_types_have_their_pairs() -> None:

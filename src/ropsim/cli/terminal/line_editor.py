@@ -77,12 +77,12 @@ class LineEditor:
         with contextlib.suppress(OSError):
             readline.read_history_file(_history())
 
-    def _complete(self, begun: str, number: int) -> str | None:
+    def _complete(self, word: str, number: int) -> str | None:
         import readline
 
         if number == 0:
             self._found = self.offered(readline.get_line_buffer()[: readline.get_endidx()])
-        del begun
+        del word
         return self._found[number] if number < len(self._found) else None
 
 

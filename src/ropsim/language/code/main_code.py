@@ -102,7 +102,7 @@ def started_by(
     return prologue(needs, {**variables, **hidden}, axes)
 
 
-def begun(main: Lowered, start: tuple[icr.Step, ...]) -> icr.Procedure:
+def with_start(main: Lowered, start: tuple[icr.Step, ...]) -> icr.Procedure:
     """Return the control statements behind the initialising steps as a procedure."""
     variables = main.locals + main.hidden
     code, lines = start + main.code if start else main.code, (0,) * len(start) + main.lines

@@ -6,7 +6,7 @@ from typing import Self
 
 from ropsim import icr
 from ropsim.core import frozen_dataclass, without_collection
-from ropsim.language.code.main_code import LoweredParts, begun
+from ropsim.language.code.main_code import LoweredParts, with_start
 from ropsim.language.code.placing import PlacedCode, placed_main, placed_tasks
 from ropsim.language.code.task_codes import Made
 from ropsim.language.questions import Group
@@ -74,4 +74,4 @@ def put_together(header: icr.Program, parts: CodeParts) -> icr.Program:
     """Return the program of its parts."""
     main = placed_main(parts.placed, parts.control, len(parts.start), parts.places)
     tasks = placed_tasks(parts.placed, parts.tasks, parts.places)
-    return replace(header, procedures=(begun(main, parts.start), *tasks))
+    return replace(header, procedures=(with_start(main, parts.start), *tasks))

@@ -24,18 +24,18 @@ def proposed_in_tasks(document: Document, position: Position, tasks: TaskTexts) 
     """Return the completions at a place of a text of tasks."""
     before = document.line(position.line)[: document.column(position)]
     word = _WORD.search(before)
-    lead = before[: word.start()] if word is not None else before
-    if _CALL.search(lead):
+    prefix = before[: word.start()] if word is not None else before
+    if _CALL.search(prefix):
         return [task_item(one) for one in tasks.told.values()]
     start = document.starts[min(position.line, len(document.starts) - 1)]
-    return list(_words_at(_around(document.text[:start] + lead), lead))
+    return list(_words_at(_around(document.text[:start] + prefix), prefix))
 
 
-def _words_at(around: str, lead: str) -> Iterator[Json]:
+def _words_at(around: str, prefix: str) -> Iterator[Json]:
     """Yield the words that fit into the context of a place."""
     from ropsim.tasks import words
 
-    if around == "params" and _PARAMETER.search(lead):
+    if around == "params" and _PARAMETER.search(prefix):
         yield from (_item(one, _KIND, "kind of a parameter", "") for one in words.KINDS)
     elif around == "task":
         yield from (

@@ -76,10 +76,10 @@ def contents_of(
     around = workshop.surroundings(document, documents)
     if around.is_broken:
         return {}
-    beside = tuple(_programs_beside(document, around, documents, workshop))
+    others = tuple(_other_programs(document, around, documents, workshop))
     cell = around.cell
     content, channels = (cell.content, cell.input_changes) if cell is not None else ("", "")
-    return workshop.line_contents(document, documents, (content, *beside), channels)
+    return workshop.line_contents(document, documents, (content, *others), channels)
 
 
 def recorded_of(
@@ -92,7 +92,7 @@ def recorded_of(
     return (one for one in programs if path is not None and Path(one.source).name == path.name)
 
 
-def _programs_beside(
+def _other_programs(
     document: Document, around: Surroundings, documents: Mapping[str, Document], workshop: Workshop
 ) -> Iterator[str]:
     """Yield the identities of the programs of the other stations of the cell."""

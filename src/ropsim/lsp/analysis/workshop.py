@@ -100,7 +100,7 @@ class Workshop:
         workspace: keeps results for texts.
         recorded: recorded runs.
         attention: ends long work for a text where a newer one waits.
-        told_tokens: name and numbers of the last answer about the words of each document.
+        sent_tokens: name and numbers of the last answer about the words of each document.
     """
 
     def __init__(self, kept: KeptFiles | None = None) -> None:
@@ -111,7 +111,7 @@ class Workshop:
         self.attention = Attention()
         self._moves: dict[str, tuple[Document, tuple[object, object], Mapping[int, LineMoves]]] = {}
         self._contents: dict[str, tuple[Document, tuple[object, object], Mapping[int, str]]] = {}
-        self.told_tokens: dict[str, tuple[str, tuple[int, ...]]] = {}
+        self.sent_tokens: dict[str, tuple[str, tuple[int, ...]]] = {}
 
     @property
     def lines(self) -> language.LineCache:
@@ -254,7 +254,7 @@ class Workshop:
         self._called.pop(uri, None)
         self._moves.pop(uri, None)
         self._contents.pop(uri, None)
-        self.told_tokens.pop(uri, None)
+        self.sent_tokens.pop(uri, None)
         self.workspace.forget(_source(Document(uri, 0, "")).name)
 
     def _read(

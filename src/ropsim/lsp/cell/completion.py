@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from ropsim.cellfile import meaning_of
 from ropsim.lsp.analysis.workshop import Surroundings
-from ropsim.lsp.cell.place import Asked, asked_in
+from ropsim.lsp.cell.place import Questions, questions_in
 from ropsim.lsp.protocol.document import Document
 from ropsim.lsp.protocol.messages import Json
 from ropsim.lsp.protocol.parameters import Position
@@ -29,37 +29,37 @@ def proposed_in_cell(
         trigger: the character just typed if it triggered the request: then no keys are offered.
     """
     place = unfinished_at(document.lines(), position.line, document.column(position))
-    asked = asked_in(place.rest, around)
+    questions = questions_in(place.rest, around)
     if place.key is not None:
-        question = asked.questions.get(place.key)
+        question = questions.questions.get(place.key)
         return list(_values(question, place.typed)) if question is not None else []
     header = _HEADER.match(document.line(position.line)[: document.column(position)])
     if place.table is None:
         return []
     if header is not None:
-        return list(_sections(asked, header[1]))
+        return list(_sections(questions, header[1]))
     if trigger or not _KEY.match(place.typed):
         return []
-    return list(_keys(asked, place.table, place.others))
+    return list(_keys(questions, place.table, place.others))
 
 
-def _sections(asked: Asked, bracket: str) -> Iterator[Json]:
+def _sections(questions: Questions, bracket: str) -> Iterator[Json]:
     """Yield the sections of the file that begin with a number of brackets."""
-    for key, question in asked.keys_of(()).items():
+    for key, question in questions.keys_of(()).items():
         if _SECTIONS.get(question.sort) == bracket:
             label = f"{key}." if question.sort is Sort.NAMED else key
             yield _item(label, _MODULE, question.form, (key,))
 
 
-def _keys(asked: Asked, section: Path, there: frozenset[str]) -> Iterator[Json]:
+def _keys(questions: Questions, section: Path, there: frozenset[str]) -> Iterator[Json]:
     """Yield the keys of a section that are not there yet, required keys first."""
-    for key, question in asked.keys_of(section).items():
+    for key, question in questions.keys_of(section).items():
         path = (*section, key)
         if key in there or (not section and question.sort in _SECTIONS):
             continue
-        words = "needed" if path in asked.needed else question.default_words
+        words = "needed" if path in questions.needed else question.default_words
         detail = f"{question.form}; {words}" if words else question.form
-        yield _item(key, _PROPERTY, detail, path, "0" if path in asked.needed else "1")
+        yield _item(key, _PROPERTY, detail, path, "0" if path in questions.needed else "1")
 
 
 def _values(question: Question, typed: str) -> Iterator[Json]:

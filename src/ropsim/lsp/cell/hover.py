@@ -6,7 +6,7 @@ from ropsim.cellfile import NAMED, meaning_of
 from ropsim.core import toml_values
 from ropsim.lsp.analysis import names
 from ropsim.lsp.analysis.workshop import Surroundings, Workshop
-from ropsim.lsp.cell.place import asked_in, path_at, places_in
+from ropsim.lsp.cell.place import path_at, places_in, questions_in
 from ropsim.lsp.protocol.document import Document
 from ropsim.lsp.protocol.parameters import Position
 from ropsim.model import WORLD, Cell
@@ -27,12 +27,12 @@ def cell_hover(
     while path and isinstance(path[-1], int) and path[0] not in _LISTED:
         path = path[:-1]  # an item of a list of numbers
     around = workshop.named(document, documents)
-    return tuple(_told(document, path, around))
+    return tuple(_texts(document, path, around))
 
 
-def _told(document: Document, path: Path, around: Surroundings) -> Iterator[str]:
-    asked = asked_in(document.text, around)
-    question = asked.questions.get(path)
+def _texts(document: Document, path: Path, around: Surroundings) -> Iterator[str]:
+    questions = questions_in(document.text, around)
+    question = questions.questions.get(path)
     meaning = meaning_of(path)
     if meaning or question is not None:
         yield f"**{'.'.join(one for one in path if isinstance(one, str))}**"
@@ -40,7 +40,7 @@ def _told(document: Document, path: Path, around: Surroundings) -> Iterator[str]
         yield meaning
     if question is not None:
         parts = [question.form]
-        if path in asked.needed:
+        if path in questions.needed:
             parts.append("needed")
         elif question.default_words:
             parts.append(f"without it {question.default_words}")

@@ -7,7 +7,7 @@ from ropsim.cellfile import place_in_cell_file
 from ropsim.core import Span
 from ropsim.language import Act, Space
 from ropsim.lsp.analysis.workshop import Surroundings
-from ropsim.lsp.cell.place import asked_in, is_cell_file, name_span, places_in
+from ropsim.lsp.cell.place import is_cell_file, name_span, places_in, questions_in
 from ropsim.lsp.protocol.document import Document
 from ropsim.lsp.protocol.messages import Json
 from ropsim.lsp.protocol.parameters import Position
@@ -72,7 +72,7 @@ def uses_in_cell(
         span = name_span(document, places.keys[own], name) if own in places.keys else None
         if span is not None:
             yield Act.DEFINES, span
-    questions = asked_in(document.text, around).questions
+    questions = questions_in(document.text, around).questions
     sorts = {table[:-1] for table in TABLES.get(space, ())}
     for path in places.values:
         question = questions.get(path) or questions.get(path[:-1])

@@ -13,7 +13,7 @@ from ropsim.workbench import robots_read
 
 
 @frozen_dataclass
-class Asked:
+class Questions:
     """Questions of the reader of a cell file.
 
     Attributes:
@@ -36,9 +36,9 @@ def is_cell_file(document: Document) -> bool:
     return path is not None and path.name == CELL_FILE
 
 
-def asked_in(text: str, around: Surroundings) -> Asked:
+def questions_in(text: str, around: Surroundings) -> Questions:
     """Return the questions in a text of the cell file of a project."""
-    return Asked(*asked_in_cell_file(SourceText(CELL_FILE, text), robots_read(around.robots)))
+    return Questions(*asked_in_cell_file(SourceText(CELL_FILE, text), robots_read(around.robots)))
 
 
 def places_in(document: Document) -> Positions | None:

@@ -26,13 +26,13 @@ def way_of_move(
     found = _MOVE.match(document.line(number))
     if number != params.range.end.line or found is None:
         return
-    word, way = _OTHER[found[1].lower()]
+    word, motion = _OTHER[found[1].lower()]
     change = Change(number, found.start(1), number, found.end(1), word)
     around = workshop.named(document, documents)
     after = applied(document, [change])
     compiled = language.compile(after, around.environment, document.name, workshop.lines)
     if not any(one.is_error or findings.touches(one.span, number, number) for one in compiled.diagnostics):
-        yield action(f"make it {way} (`{word}`)", "refactor.rewrite", document, [change])
+        yield action(f"make it {motion} (`{word}`)", "refactor.rewrite", document, [change])
 
 
 # The kinds of actions offered.

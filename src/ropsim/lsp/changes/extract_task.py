@@ -111,7 +111,7 @@ def _types(names: tuple[Meaning, ...], uses: Uses, checked: CheckedText) -> dict
 
 def _place(document: Document, uses: Uses, first: int) -> int:
     """Return the line (from 0) above the outermost block around a line."""
-    around = [begun - 1 for begun, ended in uses.blocks if begun - 1 <= first <= ended - 1]
+    around = [start - 1 for start, ended in uses.blocks if start - 1 <= first <= ended - 1]
     place = min((*around, first))
     while place > 0 and _COMMENT.match(document.line(place - 1)):
         place -= 1
@@ -140,8 +140,8 @@ def carried(
         last: last of them.
         handed: names that a task of the lines would receive and return, so that nothing is lost.
     """
-    around = (begun for begun, ended in uses.blocks if begun < first and last <= ended)
-    if all(_NO_LOOP.match(document.line(begun - 1)) for begun in around):
+    around = (start for start, ended in uses.blocks if start < first and last <= ended)
+    if all(_NO_LOOP.match(document.line(start - 1)) for start in around):
         return None
     inside = [use for use in uses.found if first <= use.span.line <= last and not use.meaning.is_global]
     written = dict.fromkeys(use.meaning for use in inside if use.act is not Act.READS)
@@ -157,7 +157,7 @@ def carried(
 def _begins_anew(document: Document, uses: Uses, first: int, own: list[Use]) -> bool:
     """Return whether the first use of a name assigns it, in every pass and from no value of its own."""
     line = own[0].span.line
-    is_inner = any(first <= begun < line <= ended for begun, ended in uses.blocks)
+    is_inner = any(first <= start < line <= ended for start, ended in uses.blocks)
     is_given = own[0].act is not Act.READS and _GIVES_ALWAYS.match(document.line(line - 1)) is not None
     statement = frozenset(_statement(document, line))
     return is_given and not is_inner and not any(use.span.line in statement for use in own[1:])

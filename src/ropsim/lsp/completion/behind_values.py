@@ -125,27 +125,27 @@ def _in_expression(line: str) -> Iterator[Json]:
         yield from some_words(words.INNER, _LOGIC, "2")
 
 
-_BEGUN = re.compile(r"\buntil\s+(not\s+)?$", re.IGNORECASE)
+_UNTIL = re.compile(r"\buntil\s+(not\s+)?$", re.IGNORECASE)
 _SIGNAL = re.compile(r"\buntil\s+(?:not\s+)?([A-Za-z_]\w*)\s+$", re.IGNORECASE | re.ASCII)
 _NOT = tuple(some_words(words.INNER, ("not",), "1"))
 _ORDER = {">": "until SIGNAL > value", "<": "until SIGNAL < value"}
 
 
-def guard_completions(lead: str, known: Iterable[Known]) -> list[Json] | None:
+def guard_completions(prefix: str, known: Iterable[Known]) -> list[Json] | None:
     """Return the signals that a motion can monitor, or the operators of an analog signal; else None.
 
     Args:
-        lead: the statement up to the word that is being typed.
+        prefix: the statement up to the word that is being typed.
         known: all names.
     """
-    if MOTION.match(lead) is None:
+    if MOTION.match(prefix) is None:
         return None
     signals = [one for one in known if one.role is Role.SIGNAL]
-    begun = _BEGUN.search(lead)
-    if begun is not None:
+    until = _UNTIL.search(prefix)
+    if until is not None:
         digital = [name_item(one, "0") for one in signals if type_of(one) == "bool"]
-        return digital if begun[1] is not None else [*digital, *_analog(signals), *_NOT]
-    named = _SIGNAL.search(lead)
+        return digital if until[1] is not None else [*digital, *_analog(signals), *_NOT]
+    named = _SIGNAL.search(prefix)
     if named is not None and any(one.name == named[1] and type_of(one) == "num" for one in signals):
         return [item(sign, OPERATOR, form, "", "1") for sign, form in _ORDER.items()]
     return None

@@ -43,14 +43,14 @@ class CallPlace:
         return self.form.parameters[self.index] if self.index < len(self.form.parameters) else None
 
 
-def call_place(lead: str, tasks: Mapping[str, TaskForm]) -> CallPlace | None:
+def call_place(prefix: str, tasks: Mapping[str, TaskForm]) -> CallPlace | None:
     """Return in which argument of which call the end of a line stands, None outside of calls.
 
     Args:
-        lead: the line up to the place.
+        prefix: the line up to the place.
         tasks: how each task is called.
     """
-    bare = _TEXT.sub(lambda text: "_" * len(text[0]) if text[1] else text[0], lead)
+    bare = _TEXT.sub(lambda text: "_" * len(text[0]) if text[1] else text[0], prefix)
     if _NO_PLACE.search(bare):  # in a text that goes on, or in a comment
         return None
     for start in reversed(_open_brackets(bare)):
@@ -106,13 +106,13 @@ def _place(form: TaskForm, arguments: str) -> CallPlace:
 
 def _outer_parts(arguments: str) -> list[str]:
     """Return the texts between the commas outside parentheses."""
-    parts, depth, begun = [], 0, 0
+    parts, depth, start = [], 0, 0
     for place, sign in enumerate(arguments):
         depth += (sign == "(") - (sign == ")")
         if sign == "," and depth == 0:
-            parts.append(arguments[begun:place])
-            begun = place + 1
-    return [*parts, arguments[begun:]]
+            parts.append(arguments[start:place])
+            start = place + 1
+    return [*parts, arguments[start:]]
 
 
 def signature_help(
@@ -121,8 +121,8 @@ def signature_help(
     """Return how the task is called in whose arguments a place stands, None outside of calls."""
     if not is_program(document):
         return None
-    lead = document.line(params.position.line)[: document.column(params.position)]
-    place = call_place(lead, workshop.checked(document, documents).tasks)
+    prefix = document.line(params.position.line)[: document.column(params.position)]
+    place = call_place(prefix, workshop.checked(document, documents).tasks)
     if place is None or not place.form.is_known:
         return None
     form = place.form

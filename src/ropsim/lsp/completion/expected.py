@@ -69,25 +69,25 @@ _UNITS = {"°": "angle", **{unit: type_ for type_, units in UNITS_OF.items() for
 _BY_ROLE = {Role.LOCATION: "loc", Role.SIGNAL: "bool"}
 
 
-def in_call(lead: str, tasks: Mapping[str, TaskForm]) -> str:
+def in_call(prefix: str, tasks: Mapping[str, TaskForm]) -> str:
     """Return the type of the parameter at the end of a line, empty outside of calls of tasks.
 
     Args:
-        lead: the line up to the word that is being typed.
+        prefix: the line up to the word that is being typed.
         tasks: how each task is called.
     """
-    place = call_place(lead, tasks)
+    place = call_place(prefix, tasks)
     if place is None or place.is_inner or place.typed:  # in a location or function, or behind a value
         return ""
     return place.parameter.type if place.parameter is not None else ""
 
 
-def expected(lead: str, tasks: Mapping[str, TaskForm]) -> str:
+def expected(prefix: str, tasks: Mapping[str, TaskForm]) -> str:
     """Return the type that is expected at the end of a line, empty if any is allowed."""
-    typed = _TYPED.match(lead)
+    typed = _TYPED.match(prefix)
     if typed is not None:
         return typed[1].lower()
-    return in_call(lead, tasks) or next((type_ for pattern, type_ in _AFTER if pattern.search(lead)), "")
+    return in_call(prefix, tasks) or next((type_ for pattern, type_ in _AFTER if pattern.search(prefix)), "")
 
 
 def type_of(known: Known) -> str:

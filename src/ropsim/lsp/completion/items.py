@@ -60,15 +60,15 @@ _VERB = re.compile(r"^\s*(?:\d+\.\s*)?(?:mov[jlc]?|lin|circ|spline)\s+$", re.IGN
 _JOINTS = words.Word("joints(a1, …)", "Joint coordinates, that of the first axis first.")
 
 
-def values(lead: str, known: list[Known], wanted: str) -> Iterator[Json]:
+def values(prefix: str, known: list[Known], wanted: str) -> Iterator[Json]:
     """Yield the items for a place that expects a value.
 
     Args:
-        lead: the line up to the word that is being typed.
+        prefix: the line up to the word that is being typed.
         known: all names.
         wanted: the expected type, empty if any is allowed.
     """
-    unfit = (*NO_VALUES, *_RUNNING) if _KNOWN_BEFORE.match(lead) else NO_VALUES
+    unfit = (*NO_VALUES, *_RUNNING) if _KNOWN_BEFORE.match(prefix) else NO_VALUES
     for one in known:
         type_ = type_of(one)
         if one.role in unfit or not may_give(wanted, type_):
@@ -77,7 +77,7 @@ def values(lead: str, known: list[Known], wanted: str) -> Iterator[Json]:
         yield name_item(one, "1" if not wanted else "0" if is_meant else "2")
     for place, literal in enumerate(LITERALS.get(wanted, ())):
         yield item(literal, LITERAL, wanted, "", f"1{place}")
-    yield from _places(lead, wanted)
+    yield from _places(prefix, wanted)
     if wanted not in (*_PLACES, "count"):
         yield from word_items(words.FUNCTIONS, FUNCTION, "4")
     if wanted in ("", "bool"):
@@ -86,16 +86,16 @@ def values(lead: str, known: list[Known], wanted: str) -> Iterator[Json]:
         yield from some_words(words.INNER, ("true", "false"), "3")
 
 
-def _places(lead: str, wanted: str) -> Iterator[Json]:
+def _places(prefix: str, wanted: str) -> Iterator[Json]:
     """Yield places without a name, and the word before via points."""
-    is_run = _KNOWN_BEFORE.match(lead) is None
+    is_run = _KNOWN_BEFORE.match(prefix) is None
     if wanted in ("", "loc", "target") and is_run:
         yield from some_words(words.INNER, ("here",), "1" if wanted else "3")
     if wanted == "target" and is_run:
         yield from some_words(words.INNER, ("home",), "1")
-    if wanted in ("target", "joints") or (not wanted and lead.count("(") == lead.count(")")):
+    if wanted in ("target", "joints") or (not wanted and prefix.count("(") == prefix.count(")")):
         yield item("joints(", KEYWORD, _JOINTS.form, _JOINTS.meaning, "1" if wanted else "3")
-    if _VERB.match(lead):
+    if _VERB.match(prefix):
         yield item("via", KEYWORD, words.MOTIONS["via"].form, words.MOTIONS["via"].meaning, "3")
 
 
@@ -105,14 +105,14 @@ _COORDINATES = ("x", "y", "z", "rx", "ry", "rz")
 _INDICES = ("col", "row", "layer")
 
 
-def members(lead: str, known: Iterable[Known]) -> Iterator[Json]:
+def members(prefix: str, known: Iterable[Known]) -> Iterator[Json]:
     """Yield the components of the name that a line ends with; of a location if the type is unknown.
 
     Args:
-        lead: the line up to the word that is being typed, with the dot.
+        prefix: the line up to the word that is being typed, with the dot.
         known: all names.
     """
-    named = _OWNER.search(lead)
+    named = _OWNER.search(prefix)
     owner = next((one for one in known if named is not None and one.name == named[1]), None)
     if owner is not None and (owner.role in NO_VALUES or type_of(owner) not in ("loc", "")):
         return

@@ -79,27 +79,27 @@ def statement_of(line: str) -> str:
     return _BRANCH.sub("", line)
 
 
-def place_of(lead: str, tasks: Mapping[str, TaskForm]) -> Place:
+def place_of(prefix: str, tasks: Mapping[str, TaskForm]) -> Place:
     """Return the completions at the end of a line.
 
     Args:
-        lead: the statement up to the word that is being typed.
+        prefix: the statement up to the word that is being typed.
         tasks: how each task is called.
     """
-    found = next((offer for pattern, offer in _PLACES if pattern.search(lead)), None)
+    found = next((offer for pattern, offer in _PLACES if pattern.search(prefix)), None)
     if found is not None:
         return found
-    return Place.BEHIND_VALUE if _ends_value(lead, tasks) else Place.VALUE
+    return Place.BEHIND_VALUE if _ends_value(prefix, tasks) else Place.VALUE
 
 
-def _ends_value(lead: str, tasks: Mapping[str, TaskForm]) -> bool:
+def _ends_value(prefix: str, tasks: Mapping[str, TaskForm]) -> bool:
     """Return whether a line ends with a whole value, behind which no other one can stand."""
-    called = call_place(lead, tasks)
+    called = call_place(prefix, tasks)
     if called is not None and not called.typed:
         return False
-    if _ONE_WORD.match(lead):
+    if _ONE_WORD.match(prefix):
         return False
-    if _CLOSED.search(lead):
+    if _CLOSED.search(prefix):
         return True
-    last = _LAST_WORD.search(lead)
+    last = _LAST_WORD.search(prefix)
     return last is not None and last[1].lower() not in _ASKS_VALUE

@@ -63,9 +63,9 @@ _TABLE = (
 )  # fmt: skip
 
 
-def next_words(lead: str) -> list[Json]:
+def next_words(prefix: str) -> list[Json]:
     """Return the words of which one has to follow at the end of a statement; empty where others may."""
-    found = next((one for one in _TABLE if one.line.search(lead)), None)
+    found = next((one for one in _TABLE if one.line.search(prefix)), None)
     return list(_items(found)) if found is not None else []
 
 

@@ -35,6 +35,6 @@ def offered(
         for uri, content in ((path.absolute().as_uri(), content) for path, content in (unsaved or {}).items())
     }
     at = Position(whole.count("\n"), len(line.rpartition("\n")[2].encode("utf-16-le")) // 2)
-    begun = incomplete_word(line).lower()
+    word = incomplete_word(line).lower()
     labels = sorted({str(one["label"]) for one in proposed(document, at, documents, workshop)})
-    return tuple(label for label in labels if label.lower().startswith(begun))
+    return tuple(label for label in labels if label.lower().startswith(word))

@@ -15,9 +15,9 @@ from ropsim.lsp.analysis.workshop import Workshop
 from ropsim.lsp.cell.completion import proposed_in_cell
 from ropsim.lsp.cell.place import is_cell_file
 from ropsim.lsp.completion import words
-from ropsim.lsp.completion.begun import Numbers, continues, in_number
 from ropsim.lsp.completion.behind_values import behind_value, guard_completions
 from ropsim.lsp.completion.expected import expected, in_call, type_of
+from ropsim.lsp.completion.incomplete_word import Numbers, continues, in_number
 from ropsim.lsp.completion.items import (
     KEYWORD,
     KINDS,
@@ -107,26 +107,26 @@ def proposed(
     checked = workshop.checked(document, documents)
     if trigger in _QUIET_TRIGGERS and not in_call(line, checked.tasks):
         return []
-    lead = statement_of(line)
-    followed = next_words(lead)
+    prefix = statement_of(line)
+    followed = next_words(prefix)
     if followed:
         return followed
-    place = place_of(lead, checked.tasks)
+    place = place_of(prefix, checked.tasks)
     around = workshop.named(document, documents)
     of_text = names.of_text(workshop.uses(document, documents), position.line, checked)
     known = {(_table_of(one.role), one.name): one for one in chain(names.of_cell(around), of_text)}
-    guard = guard_completions(lead, known.values())
+    guard = guard_completions(prefix, known.values())
     if guard is not None:
         return guard
     if place is Place.POSTURE:
         parts = environment_of(around.cell, around.station).postures or ()
         return [item(word, LITERAL, "posture", "") for part in parts for word in part]
     if place is Place.UNIT:
-        units = ordered_units(lead, checked.tasks, own_units(document.text))
-        group = "5" if is_counted(lead) else "0"
+        units = ordered_units(prefix, checked.tasks, own_units(document.text))
+        group = "5" if is_counted(prefix) else "0"
         ordered = [item(unit, UNIT, "unit", "", f"{group}{at:02}") for at, unit in enumerate(units)]
-        return [*ordered, *behind_value(lead)]
-    offered = list(_offered(place, lead, list(known.values()), checked, workshop.outline(document)))
+        return [*ordered, *behind_value(prefix)]
+    offered = list(_offered(place, prefix, list(known.values()), checked, workshop.outline(document)))
     if place in (Place.TASK, Place.STATEMENT):
         offered += map(task_item, not_named(around.tasks, frozenset(checked.tasks)))
     return offered
@@ -144,7 +144,7 @@ def _partial(before: str) -> str:
 
 
 def _offered(
-    place: Place, lead: str, known: list[Known], checked: CheckedText, outline: language.Outline
+    place: Place, prefix: str, known: list[Known], checked: CheckedText, outline: language.Outline
 ) -> Iterator[Json]:
     if place in _WORDS:
         yield from _WORDS[place]
@@ -154,7 +154,7 @@ def _offered(
         case Place.TURN:
             yield from (name_item(one) for one in known if one.role not in NO_VALUES)
         case Place.MEMBER:
-            yield from members(lead, known)
+            yield from members(prefix, known)
         case Place.STORE:
             variables = (one for one in known if one.role is Role.VARIABLE)
             yield from (name_item(one) for one in variables if type_of(one) in ("loc", ""))
@@ -167,9 +167,9 @@ def _offered(
         case Place.TASK | Place.STATEMENT:
             yield from _tasks(checked, outline)
         case Place.BEHIND_VALUE:
-            yield from behind_value(lead)
+            yield from behind_value(prefix)
         case Place.VALUE:
-            yield from values(lead, known, expected(lead, checked.tasks))
+            yield from values(prefix, known, expected(prefix, checked.tasks))
 
 
 def _named(known: list[Known], role: Role) -> Iterator[Json]:

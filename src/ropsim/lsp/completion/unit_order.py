@@ -21,23 +21,23 @@ def own_units(text: str) -> frozenset[str]:
     return frozenset(named) or frozenset(("mm", "deg", "s"))
 
 
-def ordered_units(lead: str, tasks: Mapping[str, TaskForm], own: Iterable[str]) -> list[str]:
+def ordered_units(prefix: str, tasks: Mapping[str, TaskForm], own: Iterable[str]) -> list[str]:
     """Return all units: units that fit the place first, and among these the units of the text.
 
     Args:
-        lead: the line up to the unit.
+        prefix: the line up to the unit.
         tasks: how each task is called.
         own: units that the text assigns to bare numbers.
     """
-    fitting = [unit for group in _wanted(lead, tasks) for unit in UNITS_OF[group]]
+    fitting = [unit for group in _wanted(prefix, tasks) for unit in UNITS_OF[group]]
     known = frozenset(own)
     others = [unit for unit in sorted(language.UNIT_WORDS - {"%"}, key=str.lower) if unit not in fitting]
     return [*_own_first(fitting, known), *_own_first(others, known)]
 
 
-def is_counted(lead: str) -> bool:
+def is_counted(prefix: str) -> bool:
     """Return whether the number at the end of a statement is more likely one without a unit."""
-    return _COUNTED.match(lead) is not None
+    return _COUNTED.match(prefix) is not None
 
 
 def _own_first(units: list[str], own: frozenset[str]) -> list[str]:
@@ -45,9 +45,9 @@ def _own_first(units: list[str], own: frozenset[str]) -> list[str]:
     return sorted(units, key=lambda unit: unit not in own and unit.partition("/")[0] not in own)
 
 
-def _wanted(lead: str, tasks: Mapping[str, TaskForm]) -> tuple[str, ...]:
+def _wanted(prefix: str, tasks: Mapping[str, TaskForm]) -> tuple[str, ...]:
     """Return the kinds of units that fit a number at the end of a line."""
-    before = _NUMBER.sub("", lead)
+    before = _NUMBER.sub("", prefix)
     if re.search(r"\bat\s+$", before, re.IGNORECASE):
         return ("length", "time")
     kind = expected(before, tasks)

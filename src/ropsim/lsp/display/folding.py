@@ -30,11 +30,11 @@ def folding_ranges(
 
 def _comments(document: Document) -> Iterator[tuple[int, int]]:
     """Yield first and last line (from 0) of comments that fill several lines."""
-    begun: int | None = None
+    start: int | None = None
     for number in range(len(document.starts) + 1):
         if _COMMENT.match(document.line(number)):
-            begun = number if begun is None else begun
+            start = number if start is None else start
         else:
-            if begun is not None and number - begun > 1:
-                yield begun, number - 1
-            begun = None
+            if start is not None and number - start > 1:
+                yield start, number - 1
+            start = None

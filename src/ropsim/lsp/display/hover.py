@@ -44,8 +44,8 @@ def hover(
         tasks = workshop.surroundings(document, documents).tasks
         parts = [*_of_task(found[0], tasks), *parts]
     if is_cell_file(document):
-        told = cell_hover(document, position, documents, workshop)
-        parts = [*(one if one.startswith("**") else plain(one) for one in told), *parts]
+        texts = cell_hover(document, position, documents, workshop)
+        parts = [*(one if one.startswith("**") else plain(one) for one in texts), *parts]
     if is_program(document):
         about = _about(document, params, documents, workshop)
         parts = [*about, *_of_run(document, position, documents, workshop), *parts]
@@ -129,10 +129,10 @@ def _of_cell(
         if one.name == found.name and one.role in _ROLES[found.space]:
             yield f"**{plain(found.name)}**: {one.role.value} of the cell"
             assert around.cell is not None
-            told = list(places_of(around.cell, f"{one.role.value}s", found.name))
+            texts = list(places_of(around.cell, f"{one.role.value}s", found.name))
             is_counted_from_base = one.where == "in the base frame" and not _stands_in_world(around.station)
             own = [f"{one.text} {one.where}"] if is_counted_from_base else []
-            yield from map(plain, [*told, *own, *([one.note] if one.note else [])])
+            yield from map(plain, [*texts, *own, *([one.note] if one.note else [])])
 
 
 def _stands_in_world(station: Station | None) -> bool:
@@ -142,12 +142,12 @@ def _stands_in_world(station: Station | None) -> bool:
 
 def _of_task(name: str, tasks: TaskTexts) -> Iterator[str]:
     """Yield the hover text of a task of a knowledge base: call, purpose, place."""
-    told = tasks.told.get(name)
-    if told is not None:
-        yield code(f"task {told}")
-        if told.doc:
-            yield plain(told.doc)
-        yield plain(f"task of {place_words(told)}")
+    task = tasks.told.get(name)
+    if task is not None:
+        yield code(f"task {task}")
+        if task.doc:
+            yield plain(task.doc)
+        yield plain(f"task of {place_words(task)}")
 
 
 def _finding(

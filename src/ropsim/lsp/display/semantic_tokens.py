@@ -60,7 +60,7 @@ def all_tokens(
     document: Document, _: OfDocument, documents: Mapping[str, Document], workshop: Workshop
 ) -> Json:
     """Return all words of a document, with a name for the answer: equal answers have equal ones."""
-    return {"resultId": (made := _kept(document, documents, workshop))[0], "data": list(made[1])}
+    return {"resultId": (made := _remembered(document, documents, workshop))[0], "data": list(made[1])}
 
 
 def tokens_in(
@@ -76,8 +76,8 @@ def tokens_since(
     document: Document, params: TokensSince, documents: Mapping[str, Document], workshop: Workshop
 ) -> Json:
     """Return the changes since an earlier answer, or all tokens if that is not the last one."""
-    before = workshop.told_tokens.get(document.uri)
-    name, data = _kept(document, documents, workshop)
+    before = workshop.sent_tokens.get(document.uri)
+    name, data = _remembered(document, documents, workshop)
     if before is None or before[0] != params.previous_result_id:
         return {"resultId": name, "data": list(data)}
     old = before[1]
@@ -96,13 +96,13 @@ def tokens_since(
     return {"resultId": name, "edits": [change]}
 
 
-def _kept(
+def _remembered(
     document: Document, documents: Mapping[str, Document], workshop: Workshop
 ) -> tuple[str, tuple[int, ...]]:
     """Return name and numbers of the present answer, which is remembered to compute later changes."""
     data = tuple(_data(_tokens(document, documents, workshop), document))
     name = sha256(repr(data).encode()).hexdigest()[:16]
-    workshop.told_tokens[document.uri] = (name, data)
+    workshop.sent_tokens[document.uri] = (name, data)
     return name, data
 
 
@@ -113,9 +113,9 @@ def _tokens(document: Document, documents: Mapping[str, Document], workshop: Wor
     of_cell = set(names_of(around))
     signals = frozenset(around.cell.signals) if around.cell is not None else frozenset()
     found = [_Token(one.span, _MARKS[one.mark]) for one in workshop.marked(document, documents)]
-    workshop.attention.look()
+    workshop.attention.check()
     for use in workshop.uses(document, documents).found:
-        workshop.attention.look()
+        workshop.attention.check()
         type_ = _type(use.meaning, of_cell, signals)
         if type_:
             found.append(_Token(use.span, type_, _modifiers(use)))

@@ -27,7 +27,7 @@ class Attention:
     def __init__(self) -> None:
         self.is_called: Callable[[], bool] = nobody_calls
 
-    def look(self) -> None:
+    def check(self) -> None:
         """Check for a waiting message.
 
         Raises:
@@ -67,5 +67,5 @@ class AttentiveWorld(PassingWorld):
         Raises:
             SupersededError: a newer text waits.
         """
-        self._attention.look()
+        self._attention.check()
         super().carry_out(instruction)

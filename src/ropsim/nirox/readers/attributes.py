@@ -106,13 +106,13 @@ class Attributes:
 
     def impossible(self, number: int, message: str, hint: str = "") -> ImpossibleError:
         """Return the exception for an impossible instance."""
-        return ImpossibleError(self.told(IMPOSSIBLE, number, message, hint))
+        return ImpossibleError(self.finding(IMPOSSIBLE, number, message, hint))
 
     def called(self, number: int) -> str:
         """Return an instance in words, such as `#12 KINEMATIC_LINK`."""
         return f"#{number} {self.population.instances[number].keyword[:60]}"
 
-    def told(self, kind: Kind, number: int | None, message: str, hint: str = "") -> Diagnostic:
+    def finding(self, kind: Kind, number: int | None, message: str, hint: str = "") -> Diagnostic:
         """Return a finding at an instance, or without a place."""
         if number is None:
             return kind.at(None, message, hint=hint)

@@ -8,8 +8,8 @@ from ropsim.nirox.diagnostics import IMPOSSIBLE
 from ropsim.nirox.pair_words import PAIRS
 from ropsim.nirox.readers.places import Places
 from ropsim.nirox.readers.seen import Seen
+from ropsim.nirox.readers.tree_steps import tree_steps
 from ropsim.nirox.readers.units import Units, units_of
-from ropsim.nirox.readers.ways import ways
 from ropsim.spatial import Pose
 
 MOST_JOINTS = 200
@@ -111,10 +111,10 @@ class Mechanism:
         return found
 
     def _tree(self, joints: list[int]) -> None:
-        """Move the links one after the other, along the ways that lead to them."""
+        """Move the links one after the other, along the joints that lead to them."""
         seen = self._seen
         ends = [(seen.ref(one, "edge_start"), seen.ref(one, "edge_end")) for one in joints]
-        found = ways(self.base, ends)
+        found = tree_steps(self.base, ends)
         for place, near, far in found.steps:
             self._move(joints[place], near, far)
         for place in found.closing:

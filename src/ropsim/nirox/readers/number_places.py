@@ -34,9 +34,9 @@ def places_of(seen: Seen, axes: Sequence[int]) -> PlaceOf:
     """
     file, places = seen.population.file, {key: number for number, key in seen.keys.items()}
 
-    def place(asked: AuditPlace) -> Span | None:
-        joint = axes[asked.number] if asked.attribute is Attribute.HOME else asked.number
-        for word in (*_WORDS[asked.attribute], "pair"):
+    def place(requested: AuditPlace) -> Span | None:
+        joint = axes[requested.number] if requested.attribute is Attribute.HOME else requested.number
+        for word in (*_WORDS[requested.attribute], "pair"):
             number = places.get((word, joint))
             if number is not None:
                 return file.span(seen.population.instances[number])

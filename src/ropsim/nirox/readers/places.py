@@ -97,9 +97,9 @@ class Places:
         return found @ Pose.from_tuple((0.0, 0.0, 0.0, *turned))
 
 
-def _about(angle: float, axis: int, way: Vector) -> Pose:
+def _about(angle: float, axis: int, shift: Vector) -> Pose:
     """Return a turn about x (1) or z (3) [rad] and a way along that axis [m]."""
     part = [cos(angle / 2.0), 0.0, 0.0, 0.0]
     part[axis] = sin(angle / 2.0)
     w, x, y, z = part
-    return Pose.from_tuple((*way, w, x, y, z))
+    return Pose.from_tuple((*shift, w, x, y, z))

@@ -65,7 +65,7 @@ class Seen(Attributes):
 
     def note(self, kind: Kind, number: int | None, message: str, hint: str = "") -> None:
         """Note a finding at an instance."""
-        self.add(self.told(kind, number, message, hint))
+        self.add(self.finding(kind, number, message, hint))
 
     def add(self, finding: Diagnostic) -> None:
         """Note a finding, as long as there is room; errors have a room of their own."""

@@ -32,7 +32,7 @@ def write_cut(building: Building, robot: RobotModel, number: int) -> tuple[Refer
     values = (name, DERIVED, UNSET, first, second, joint, *free)
     building.add(("cut pair", number), keyword.upper(), *values)
     edges = [_edge(building, number, -1, joint, TRUE)]
-    for moved, direction in _way(robot, cut.second, cut.first):
+    for moved, direction in _path(robot, cut.second, cut.first):
         edges.append(_edge(building, number, moved, building.at(("joint", moved)), direction))
     building.add(("loop", number), "KINEMATIC_LOOP", name, tuple(edges))
     return first, second
@@ -44,7 +44,7 @@ def _edge(building: Building, number: int, moved: int, joint: Reference, directi
     return building.add(key, "ORIENTED_JOINT", "", DERIVED, DERIVED, joint, direction)
 
 
-def _way(robot: RobotModel, start: int, end: int) -> list[tuple[int, Value]]:
+def _path(robot: RobotModel, start: int, end: int) -> list[tuple[int, Value]]:
     """Return the joints on the way from one link to another, and whether they are passed as they lead."""
     up, down = _to_base(robot, start), _to_base(robot, end)
     common = set(up) & set(down)

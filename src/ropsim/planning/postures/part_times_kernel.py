@@ -15,7 +15,7 @@ def part_times(
     turning: float,
     max_speeds: Array1,
     own: Array1,
-    needs: Array2,
+    joint_times: Array2,
     result: Array1,
 ) -> None:
     """Write the times that a tool and its joints take at least for the parts between places of a path.
@@ -28,7 +28,7 @@ def part_times(
         turning: angular speed of the tool [rad/s].
         max_speeds: of the joints [rad/s | m/s], shape (n,).
         own: where the times of the tool go [s], shape (k,).
-        needs: output for the times of the joints [s], shape (k, n).
+        joint_times: output for the times of the joints [s], shape (k, n).
         result: set to the least share of its own time to that of its slowest joint, at most 1, shape (1,).
     """
     result[0] = 1.0
@@ -38,8 +38,8 @@ def part_times(
         own[k], before = step * max(before, behind), behind
         longest = own[k]
         for j in range(q.shape[1]):
-            needs[k, j] = abs(q[k + 1, j] - q[k, j]) / max_speeds[j]
-            longest = max(longest, needs[k, j])
+            joint_times[k, j] = abs(q[k + 1, j] - q[k, j]) / max_speeds[j]
+            longest = max(longest, joint_times[k, j])
         if own[k] < result[0] * longest:
             result[0] = own[k] / longest
 

@@ -45,15 +45,15 @@ def conflict_of(robot: RobotModel, move: PlannedMove, number: int) -> Conflict |
     """
     if _is_calm(robot, move):
         return None
-    own, needs, least = _times(robot, move)
+    own, joint_times, least = _times(robot, move)
     if least >= WHIRL:
         return None
-    times = np.maximum(needs.max(axis=1), own)
+    times = np.maximum(joint_times.max(axis=1), own)
     shares = np.maximum(own, np.median(times)) / np.maximum(times, _TINY)
     part = int(np.argmin(shares))
     if not shares[part] < WHIRL:
         return None
-    joint = robot.axis_joints[int(np.argmax(needs[part]))]
+    joint = robot.axis_joints[int(np.argmax(joint_times[part]))]
     words = f"joint `{joint.name}` slows the path down to {shares[part]:.0%} after {part / _STEPS:.0%} of it"
     return Conflict(number, words, move.move.origin.span)
 
@@ -102,8 +102,8 @@ def time_of(robot: RobotModel, move: PlannedMove, q_start: Array) -> float:
         return own.duration
     if move.tool is None:
         return float(durations(q_start, move.q_end[np.newaxis], move.planned.limits.joints)[0])
-    of_tool, needs, _ = _times(robot, move)
-    return float(np.maximum(needs.max(axis=1), of_tool).sum())
+    of_tool, joint_times, _ = _times(robot, move)
+    return float(np.maximum(joint_times.max(axis=1), of_tool).sum())
 
 
 def _is_calm(robot: RobotModel, move: PlannedMove) -> bool:
@@ -127,11 +127,11 @@ def _times(robot: RobotModel, move: PlannedMove) -> tuple[Array, Array, float]:
     length, limits = move.tool.length, move.planned.limits.tool
     at = even_parameters(length, _STEPS)
     d1, q = move.tool.tool(at).d1, move.joints.joints(at).q
-    own, needs, result = np.empty(_STEPS), np.empty((_STEPS, robot.n)), np.empty(1)
+    own, joint_times, result = np.empty(_STEPS), np.empty((_STEPS, robot.n)), np.empty(1)
     speed, turning = max(limits.speed, _TINY), max(limits.orientation_speed, _TINY)
     rows = np.ascontiguousarray(d1, dtype=np.float64), np.ascontiguousarray(q, dtype=np.float64)
-    part_times(*rows, length / _STEPS, speed, turning, max_speeds_of(robot), own, needs, result)
-    return own, needs, float(result[0])
+    part_times(*rows, length / _STEPS, speed, turning, max_speeds_of(robot), own, joint_times, result)
+    return own, joint_times, float(result[0])
 
 
 @lru_cache(maxsize=64)

@@ -98,12 +98,12 @@ def to_rest(
     """
     brake = qd * abs(qd) / (2.0 * acceleration)
     sign = math.copysign(1.0, target - (q + brake))
-    way, start = sign * (target - q), sign * qd
+    distance, start = sign * (target - q), sign * qd
     # `way` is at least the way of braking: from above `speed` the peak is `speed`, and it slows down first
-    peak = min(speed, math.sqrt(max(acceleration * way + 0.5 * start * start, 0.0)))
+    peak = min(speed, math.sqrt(max(acceleration * distance + 0.5 * start * start, 0.0)))
     rise = abs(peak - start) / acceleration
     change = math.copysign(1.0, peak - start)
-    cruise = way - (change * (peak * peak - start * start) + peak * peak) / (2.0 * acceleration)
+    cruise = distance - (change * (peak * peak - start * start) + peak * peak) / (2.0 * acceleration)
     segments = [ProfileSegment(time, q, qd, sign * change * acceleration)] if rise else []
     begin = time + rise
     middle = segments[-1].at(begin)[0] if segments else q
@@ -118,10 +118,10 @@ def to_rest(
 
 def _reached(segment: ProfileSegment, q: float) -> float | None:
     """Return how long after its beginning a piece comes to a coordinate from below [s], None for never."""
-    way = q - segment.q
-    if way < 0.0 or (segment.qd <= 0.0 and segment.qdd <= 0.0):
+    distance = q - segment.q
+    if distance < 0.0 or (segment.qd <= 0.0 and segment.qdd <= 0.0):
         return None
-    root = segment.qd * segment.qd + 2.0 * segment.qdd * way
+    root = segment.qd * segment.qd + 2.0 * segment.qdd * distance
     if root < 0.0:
         return None
-    return 2.0 * way / (segment.qd + math.sqrt(root)) if way else 0.0
+    return 2.0 * distance / (segment.qd + math.sqrt(root)) if distance else 0.0

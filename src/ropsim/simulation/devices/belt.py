@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from ropsim.model import BeltDrive
 from ropsim.simulation.devices.axis_profile import AxisProfile, to_rest, to_speed
-from ropsim.simulation.devices.device_run import Carried, Now, Told
+from ropsim.simulation.devices.device_run import Carried, DriveAction, Now
 
 TOUCH = 1e-6
 """A part this near to the barrier is in it [m]."""
@@ -17,7 +17,7 @@ class Belt:
 
     drive: BeltDrive
 
-    def act(self, profile: AxisProfile, now: Now) -> Told:
+    def act(self, profile: AxisProfile, now: Now) -> DriveAction:
         """Start, stop or go on, so that the front of the next part comes to rest at the barrier."""
         drive, barrier = self.drive, self.drive.barrier
         q, qd = profile.at(now.time)
@@ -36,7 +36,7 @@ class Belt:
         else:
             profile.go(to_speed(now.time, q, qd, drive.speed, drive.acceleration))
         levels = ((barrier.signal, blocked),) if barrier is not None else ()
-        return Told(levels, self._next(profile, now.time, carried), lost)
+        return DriveAction(levels, self._next(profile, now.time, carried), lost)
 
     def _leaves(self, part: Carried) -> float:
         """Return the coordinate at which the centre of a part is at the end of the belt [m]."""

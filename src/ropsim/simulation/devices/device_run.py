@@ -46,7 +46,7 @@ class Now:
 
 
 @frozen_dataclass
-class Told:
+class DriveAction:
     """Result of an action of a drive.
 
     Attributes:
@@ -63,7 +63,7 @@ class Told:
 class Driving(Protocol):
     """The running state of one kind of drive."""
 
-    def act(self, profile: AxisProfile, now: Now) -> Told:
+    def act(self, profile: AxisProfile, now: Now) -> DriveAction:
         """Read the signals, change the profile from now on, and return new levels and lost parts."""
         ...
 
@@ -105,8 +105,8 @@ class DeviceRun:
         soonest = max(tick, self.acted + 1)
         self.due = soonest if self.due == NEVER else min(self.due, soonest)
 
-    def heard(self, told: Iterable[tuple[str, bool]]) -> list[tuple[str, bool]]:
+    def heard(self, levels: Iterable[tuple[str, bool]]) -> list[tuple[str, bool]]:
         """Return which of the levels that are new."""
-        news = [(name, level) for name, level in told if name and self.levels.get(name) is not level]
+        news = [(name, level) for name, level in levels if name and self.levels.get(name) is not level]
         self.levels.update(news)
         return news

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from ropsim.model import IndexDrive
 from ropsim.simulation.devices.axis_profile import AxisProfile, to_rest
-from ropsim.simulation.devices.device_run import Now, Told
+from ropsim.simulation.devices.device_run import DriveAction, Now
 
 
 @dataclass(slots=True)
@@ -21,7 +21,7 @@ class Index:
     steps: int = 0
     was_on: bool = False
 
-    def act(self, profile: AxisProfile, now: Now) -> Told:
+    def act(self, profile: AxisProfile, now: Now) -> DriveAction:
         """Begin a step where the signal has come on while it stood."""
         drive, is_on = self.drive, now.signals(self.drive.signal)
         if is_on and not self.was_on and profile.segments[-1].time <= now.time:
@@ -33,4 +33,4 @@ class Index:
         there = profile.segments[-1].time
         stands = there <= now.time
         levels = ((drive.in_place, stands),)
-        return Told(levels) if stands else Told(levels, there)
+        return DriveAction(levels) if stands else DriveAction(levels, there)

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 from ropsim.model import SwitchDrive
 from ropsim.simulation.devices.axis_profile import AxisProfile, to_rest
-from ropsim.simulation.devices.device_run import Now, Told
+from ropsim.simulation.devices.device_run import DriveAction, Now
 
 
 @dataclass(slots=True)
@@ -22,7 +22,7 @@ class Switch:
     def __post_init__(self) -> None:
         self.target = self.drive.off
 
-    def act(self, profile: AxisProfile, now: Now) -> Told:
+    def act(self, profile: AxisProfile, now: Now) -> DriveAction:
         """Go to the position that the signal selects; also from the middle of the way to the other one."""
         drive = self.drive
         wanted = drive.on if now.signals(drive.signal) else drive.off
@@ -36,4 +36,4 @@ class Switch:
             (drive.is_off, stands and self.target == drive.off),
             (drive.is_on, stands and self.target == drive.on),
         )
-        return Told(levels) if stands else Told(levels, there)
+        return DriveAction(levels) if stands else DriveAction(levels, there)

@@ -7,7 +7,9 @@ from ropsim.core import Diagnostic
 from ropsim.icr import Program
 
 
-def told_at(station: str, programs: Mapping[str, Program], found: Iterable[Diagnostic]) -> list[Diagnostic]:
+def findings_at(
+    station: str, programs: Mapping[str, Program], found: Iterable[Diagnostic]
+) -> list[Diagnostic]:
     """Return findings of a station; they name it where others run the same program.
 
     Args:

@@ -38,7 +38,7 @@ def feed(run: CellRun, tick: int) -> None:
             run.place(come, tick)
 
 
-def room_at(run: CellRun, device: DeviceRun, time: float) -> float:
+def free_from(run: CellRun, device: DeviceRun, time: float) -> float:
     """Return when a belt carries the next part off the place of a supply [s]; inf for never.
 
     Args:

@@ -125,8 +125,8 @@ def _nothing_grasped(grip: GripInstruction, tool: Tool) -> Diagnostic:
 def go(profile: AxisProfile, time: float, dwell: float, target: float) -> None:
     """Let fingers go evenly to a coordinate [m] within the dwell [s] that begins at a time [s]."""
     q, _ = profile.at(time)
-    way = [ProfileSegment(time, q, (target - q) / dwell, 0.0)] if dwell > 0.0 else []
-    profile.go([*way, ProfileSegment(time + dwell, target, 0.0, 0.0)])
+    segments = [ProfileSegment(time, q, (target - q) / dwell, 0.0)] if dwell > 0.0 else []
+    profile.go([*segments, ProfileSegment(time + dwell, target, 0.0, 0.0)])
 
 
 def closed_on(fingers: Fingers, part: Part | None, X_TO: Pose) -> float:

@@ -16,7 +16,7 @@ from ropsim.simulation.state.clasp import Clasp
 from ropsim.simulation.state.station_run import StationRun
 from ropsim.spatial import Array, Pose
 
-LOOKS = 250
+CHECKS = 250
 """Rate of the check whether a part is pulled [Hz]."""
 
 
@@ -67,11 +67,11 @@ def kept(run: CellRun, name: str, moment: Moment) -> Placements | None:
     return run.parts.with_seats(moved)
 
 
-def look_for_pulls(run: CellRun, until: int, programs: Mapping[str, Program]) -> None:
+def find_pulls(run: CellRun, until: int, programs: Mapping[str, Program]) -> None:
     """Find parts that are pulled by two grippers up to a tick of the cell's clock (S743)."""
     if not run.clasps:
         return
-    step = max(1, run.hz // LOOKS)
+    step = max(1, run.hz // CHECKS)
     for hand, clasp in tuple(run.clasps.items()):
         for tick in range(clasp.seen + step, until + 1, step):
             clasp.seen = tick

@@ -63,8 +63,8 @@ class KeptPlans:
             order: the moves, and where the arm stands.
         """
         moves = (*order.moves, *order.ahead)
-        asked = tuple([self._bits(move) for move in moves])
-        key = (station, order.q_start.tobytes(), fingerprint(order.payload), asked, len(order.ahead))
+        moves_key = tuple([self._bits(move) for move in moves])
+        key = (station, order.q_start.tobytes(), fingerprint(order.payload), moves_key, len(order.ahead))
         kept = self._kept.get(key)
         found = on_lines_of(moves, *kept) if kept else None
         if found is None:

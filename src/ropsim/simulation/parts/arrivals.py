@@ -69,7 +69,9 @@ def _finding(
     seat = state.seats.get(name)
     if seat is None:
         where = _departure(state.left[name]) if name in state.left else "still waits in its supply"
-        return _told(name, f"part `{name}` {where}, it was to be at {_place(destination.X_WO)}", {})
+        return _not_at_destination(
+            name, f"part `{name}` {where}, it was to be at {_place(destination.X_WO)}", {}
+        )
     pose, is_held = moment.pose(seat), seat.rides in tools
     distance = float(np.linalg.norm(pose.position - destination.X_WO.position))
     turn = _angle(pose, destination.X_WO)
@@ -87,7 +89,7 @@ def _finding(
     message = (
         f"part `{name}`{held} is at {_place(pose)}, its destination is {_place(destination.X_WO)}: {why}"
     )
-    return _told(name, message, data)
+    return _not_at_destination(name, message, data)
 
 
 def _departure(gone: Exit) -> str:
@@ -97,7 +99,7 @@ def _departure(gone: Exit) -> str:
     return f"has run off the end of the belt `{gone.device}`"
 
 
-def _told(name: str, message: str, data: dict[str, object]) -> Diagnostic:
+def _not_at_destination(name: str, message: str, data: dict[str, object]) -> Diagnostic:
     hint = "mend the program, or `destination` of the part in the cell file"
     return NOT_AT_DESTINATION.at(None, message, hint=hint, data={"part": name, **data})
 

@@ -104,7 +104,7 @@ def at_start(tree: BodyTree, placements: Placements, objects: Mapping[str, Seat]
     """
     for body in tree.bodies:
         if body.name in placements.seats:
-            yield _told(0.0, body.name, placements, objects)
+            yield _placement(0.0, body.name, placements, objects)
         else:
             yield Placement(0.0, body.name, body.parent, body.X_PB, body.visible)
 
@@ -126,10 +126,10 @@ def changes(
     for name, seat in after.seats.items():
         known = before.seats.get(name)
         if known is not seat and (known is None or known.parent != seat.parent):
-            yield _told(time, name, after, objects)
+            yield _placement(time, name, after, objects)
 
 
-def _told(time: float, name: str, placements: Placements, objects: Mapping[str, Seat]) -> Placement:
+def _placement(time: float, name: str, placements: Placements, objects: Mapping[str, Seat]) -> Placement:
     seat = placements.seats[name]
     if seat.parent == seat.rides:
         return Placement(time, name, seat.parent, seat.pose)

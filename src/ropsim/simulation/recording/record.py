@@ -31,7 +31,7 @@ from ropsim.simulation.findings.checks import station_findings
 from ropsim.simulation.findings.consequences import with_causes
 from ropsim.simulation.findings.finished_station import FinishedStation
 from ropsim.simulation.findings.load_findings import has_rated_payloads
-from ropsim.simulation.findings.shared_programs import told_at
+from ropsim.simulation.findings.shared_programs import findings_at
 from ropsim.simulation.parts.arrivals import Arrivals, are_untouched, arrivals
 from ropsim.simulation.recording.channels import (
     correction_channel,
@@ -78,7 +78,7 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
         finished = FinishedStation(
             at.station.robot, source, at.hz, run.time, at.plant.tally, at.tracks["line"], loads, mine
         )
-        judged += told_at(name, programs, station_findings(finished))
+        judged += findings_at(name, programs, station_findings(finished))
     for at in run.stations.values():
         for body, profile in at.fingers.items():
             channels[channel_name("q", body)] = finger_channel(at.station.name, profile.rows(time))

@@ -32,7 +32,7 @@ class KeptResults(Generic[V]):
 
     def __init__(self, most: int) -> None:
         self._most = most
-        self._room = most
+        self._free = most
         self._run = 0
         self._dropped = 0
         self._entries: dict[Hashable, _Entry[V]] = {}
@@ -41,7 +41,7 @@ class KeptResults(Generic[V]):
     @property
     def used(self) -> int:
         """Return how much room is taken, about [bytes]."""
-        return self._most - self._room
+        return self._most - self._free
 
     def begin(self) -> None:
         """Take notice that another run begins."""
@@ -69,15 +69,15 @@ class KeptResults(Generic[V]):
         """
         before = self._entries.pop(key, None)
         if before is not None:
-            self._room += before.size
+            self._free += before.size
             self._of_run[before.run] -= 1
-        if size > self._room and self._dropped < self._run:  # once: in a run nothing becomes older
+        if size > self._free and self._dropped < self._run:  # once: in a run nothing becomes older
             self._drop(self._run - 1)
             self._dropped = self._run
-        if size <= self._room:
+        if size <= self._free:
             self._entries[key] = _Entry(value, size, self._run)
             self._of_run[self._run] += 1
-            self._room -= size
+            self._free -= size
 
     def _drop(self, since: int) -> None:
         """Forget results that no run from one on has requested."""
@@ -85,4 +85,4 @@ class KeptResults(Generic[V]):
         if not sum(self._of_run.pop(run) for run in older):
             return
         self._entries = {key: one for key, one in self._entries.items() if one.run >= since}
-        self._room = self._most - sum(one.size for one in self._entries.values())
+        self._free = self._most - sum(one.size for one in self._entries.values())

@@ -30,13 +30,13 @@ class Polled(NamedTuple):
 class Polling:
     """Compares the state of a program at each pause with that at the pause before.
 
-    A pause is a wait for a time, or the tick for which it pauses before reading again (`Looks`). If the state
-    is unchanged, and only channels were read in between, the next pass will be the same while the channels
-    stay the same.
+    A pause is a wait for a time, or the tick for which it pauses before it reads again
+    (`RepeatedReads`). If the state is unchanged, and only channels were read in between, the next pass will
+    be the same while the channels stay the same.
 
     Attributes:
         reads: channels read since the last pause.
-        looked: names of the channels read before the present step, if the program pauses there in a polling
+        channels: names of the channels read before the present step, if the program pauses there in a polling
             loop; reading the time does not matter.
         waited: control tick at which it began its last wait for a time.
         timed: whether the program has read the time since then.
@@ -45,13 +45,13 @@ class Polling:
     """
 
     reads: dict[str, bool | float] = field(default_factory=dict)
-    looked: tuple[str, ...] = ()
+    channels: tuple[str, ...] = ()
     waited: int = -1
     timed: bool = False
     state: MachineState | None = None
     found: Polled | None = None
 
-    def look(self, machine: Machine, step: Instruction, tick: int, *, again: bool) -> Polled | None:
+    def poll(self, machine: Machine, step: Instruction, tick: int, *, again: bool) -> Polled | None:
         """Return the readings since a pause with the same state, None if the program continues.
 
         Args:
@@ -60,7 +60,7 @@ class Polling:
             tick: control tick now.
             again: whether it reads at a place that has already read at this tick.
         """
-        self.looked = tuple(sorted(self.reads)) if again else ()
+        self.channels = tuple(sorted(self.reads)) if again else ()
         if not isinstance(step, WaitInstruction | SyncInstruction):
             self.state = self.found = None
             if isinstance(step, MoveInstruction | GripInstruction):
@@ -75,7 +75,7 @@ class Polling:
         state = _bare(machine.snapshot())
         same = state == self.state
         if same:
-            self.looked = tuple(sorted(self.reads))
+            self.channels = tuple(sorted(self.reads))
         self.found = Polled(dict(self.reads), step.origin) if same and not self.timed else None
         self.state, self.timed = state, False
         self.reads.clear()

@@ -92,8 +92,8 @@ class RowLog:
 
     def _thin(self) -> None:
         odd = self._first_tick // self._decimation % 2
-        kept = self._table[odd : self._rows : 2].copy()
-        self._table[: len(kept)] = kept
-        self._rows = len(kept)
+        thinned = self._table[odd : self._rows : 2].copy()
+        self._table[: len(thinned)] = thinned
+        self._rows = len(thinned)
         self._first_tick += odd * self._decimation
         self._decimation *= 2

@@ -16,8 +16,8 @@ from ropsim.simulation.parts.moment import Moment
 from ropsim.simulation.parts.parts import payload
 from ropsim.simulation.parts.placements import Placements, changes
 from ropsim.simulation.parts.scenery import Scenery
-from ropsim.simulation.records.looked_wait import LookedWait
 from ropsim.simulation.records.planned_sequence import Planning
+from ropsim.simulation.records.polling_wait import PollingWait
 from ropsim.simulation.records.track import Track
 from ropsim.simulation.state.clasp import Clasp
 from ropsim.simulation.state.inputs import signal_track
@@ -54,7 +54,7 @@ class CellRun:
         tracks: signals by the name of their channel, over ticks of the cell's clock.
         stop_tick: tick of the cell's clock from which on the run is ended by hand; None for its own end.
         overrides: changes of the speed override in order of time: tick of the cell's clock, value of 0 to 1.
-        asked: the last tick for which the override was requested.
+        override_read: the last tick for which the override was requested.
         inputs: changes of inputs that are not from the cell.
         supplies: of each supply the part that has come last, and the parts still to come.
         clasps: grippers that are closed on a part which hangs on another one, by the body of the tool.
@@ -82,7 +82,7 @@ class CellRun:
     tracks: dict[str, Track] = field(default_factory=dict)
     stop_tick: int | None = None
     overrides: list[tuple[int, float]] = field(default_factory=list)
-    asked: int = -1
+    override_read: int = -1
     inputs: list[InputChange] = field(default_factory=list)
     supplies: Mapping[str, deque[Part]] = field(default_factory=dict)
     clasps: dict[str, Clasp] = field(default_factory=dict)
@@ -192,7 +192,7 @@ class CellRun:
 
     def override(self, tick: int) -> float:
         """Return the speed override in force at a tick of the cell's clock, from 0 (hold) to 1."""
-        self.asked = max(self.asked, tick)
+        self.override_read = max(self.override_read, tick)
         if not self.overrides:
             return 1.0
         number = bisect_right(self.overrides, (tick, math.inf))
@@ -210,7 +210,7 @@ class CellRun:
 
     def set_override(self, value: float) -> int:
         """Let the speed override have a value from the first tick on that is open; return that tick."""
-        tick = max(self.farthest, self.asked + 1)
+        tick = max(self.farthest, self.override_read + 1)
         self.override_from(tick, value)
         return tick
 
@@ -258,7 +258,7 @@ class CellRun:
 
         It is entered once the program does something else, as one event that covers the whole wait.
         """
-        known = at.looked
+        known = at.polling_wait
         if known is not None and known.goes_on_in(event, since):
             whole = WaitEvent(
                 *at.when(known.since),
@@ -266,15 +266,15 @@ class CellRun:
                 pause=(since - known.since) / at.hz + event.pause,
                 looked=event.looked,
             )
-            at.looked = LookedWait(whole, known.since, at.tick)
+            at.polling_wait = PollingWait(whole, known.since, at.tick)
         else:
             self.end_looking(at)
-            at.looked = LookedWait(event, since, at.tick)
+            at.polling_wait = PollingWait(event, since, at.tick)
         if event.origin:
             at.ran(event.origin, since)
 
     def end_looking(self, at: StationRun) -> None:
         """Enter the wait of a station that looks again and again, if it does."""
-        if at.looked is not None:
-            self.events.append(at.looked.event)
-            at.looked = None
+        if at.polling_wait is not None:
+            self.events.append(at.polling_wait.event)
+            at.polling_wait = None

@@ -21,16 +21,16 @@ def usable_inputs(
 
     Those at one time keep their order: of two of one signal the one given last holds.
     """
-    kept: list[InputChange] = []
+    usable: list[InputChange] = []
     wrong: dict[str, Diagnostic] = {}
     for change in inputs:
         reason, hint = _wrong(cell, change)
         if not reason:
-            kept.append(change)
+            usable.append(change)
         elif change.signal not in wrong:
             message = f"recorded input `{change.signal}` is left out: {reason}"
             wrong[change.signal] = INPUT_NOT_USABLE.at(None, message, hint=hint)
-    return in_time(kept), tuple(wrong.values())
+    return in_time(usable), tuple(wrong.values())
 
 
 def with_inputs(cell: Cell, inputs: Iterable[InputChange]) -> Cell:

@@ -88,11 +88,11 @@ class Senses:
         """Return the reading of a channel at a time [s], from the present state of the cell."""
         assert self.run is not None, "a station reads only while it runs"
         seen = SensedRun(self.run, self.run.stations[self.name])
-        sample = self._asked(channel, time, seen)
+        sample = self._reading(channel, time, seen)
         self.run.note_reading(channel, seen.at.due, sample)
         return sample
 
-    def _asked(self, channel: str, time: float, seen: SensedRun) -> Sample:
+    def _reading(self, channel: str, time: float, seen: SensedRun) -> Sample:
         """Return the reading of the sensors; invalid if sensors of a user fail, which is reported."""
         try:
             sample: object = self.sensors.read(channel, time, seen)

@@ -9,10 +9,10 @@ from ropsim.model import Payload, Station, Tool, external_links, link_name, tool
 from ropsim.planning import MotionChain
 from ropsim.simulation.devices.axis_profile import AxisProfile
 from ropsim.simulation.records.activation import Activations
-from ropsim.simulation.records.looked_wait import LookedWait
 from ropsim.simulation.records.move_span import MoveSpan, PathSpan
 from ropsim.simulation.records.plant import Plant
 from ropsim.simulation.records.polling import Polled
+from ropsim.simulation.records.polling_wait import PollingWait
 from ropsim.simulation.records.tool_frames import ToolFrames
 from ropsim.simulation.records.track import Track
 from ropsim.spatial import Array, Pose
@@ -47,7 +47,7 @@ class StationRun:
         fingers: profiles of the fingers of its tools, by the name of the body of the tool.
         awaits: its wait, if it waits for a channel.
         polled: its polled readings, if it only polls.
-        looked: its wait by polling, while it lasts.
+        polling_wait: its wait by polling, while it lasts.
         origin: of the instruction in force.
         modal: the modal state whose tool is in force.
         is_busy: whether that is still being carried out.
@@ -78,7 +78,7 @@ class StationRun:
     fingers: dict[str, AxisProfile] = field(default_factory=dict)
     awaits: AwaitInstruction | None = None
     polled: Polled | None = None
-    looked: LookedWait | None = None
+    polling_wait: PollingWait | None = None
     origin: Origin = field(default_factory=Origin)
     modal: ModalState | None = None
     is_busy: bool = False

@@ -8,7 +8,7 @@ import numpy as np
 
 from ropsim.controller import (
     Correction,
-    CorrectionRoom,
+    CorrectionRange,
     ShiftedArm,
     ShiftedJoints,
     braked,
@@ -83,12 +83,14 @@ class Correcting:
         """Return the largest size that the correction has had [m]."""
         return max(map(abs, self.values))
 
-    def corrected(self, reference: JointReference, walked: float, left: float, rate: float) -> JointReference:
+    def corrected(
+        self, reference: JointReference, elapsed: float, left: float, rate: float
+    ) -> JointReference:
         """Return the references of the next control ticks with the correction; the sensor is read now.
 
         Args:
             reference: as planned, of one interpolation tick at the most.
-            walked: motion time of these ticks [s].
+            elapsed: motion time of these ticks [s].
             left: motion time of the move behind them [s].
             rate: motion time that passes per time at their end.
         """
@@ -97,7 +99,7 @@ class Correcting:
         before, time = self.added, reference.ticks * period
         now, added = Correction(self.now.value), None
         if not self.is_lost:
-            now = self._next(sample, reference, walked, left)
+            now = self._next(sample, reference, elapsed, left)
             added = self.arm.shifted(reference.q[-1], reference.qd[-1], now, rate, before)
         if added is None or not self._can_be(reference.q[-1], before, added, time):
             self._note_arm()
@@ -135,27 +137,27 @@ class Correcting:
             found.append(self._no_number(self.no_number))
         return tuple(found)
 
-    def _next(self, sample: Sample, reference: JointReference, walked: float, left: float) -> Correction:
+    def _next(self, sample: Sample, reference: JointReference, elapsed: float, left: float) -> Correction:
         """Return the correction at the end of a slice."""
-        if walked <= 0.0:
+        if elapsed <= 0.0:
             return self.now
         limits, value = self.at.station.controller.correction, self.now.value
         speed = self._wanted(sample, reference)
-        wanted, room = value + speed * walked, self._room(speed, reference, left)
-        if wanted > room.upper or wanted < room.lower:
-            bound = room.upper if wanted > room.upper else room.lower
+        wanted, allowed = value + speed * elapsed, self._range(speed, reference, left)
+        if wanted > allowed.upper or wanted < allowed.lower:
+            bound = allowed.upper if wanted > allowed.upper else allowed.lower
             if abs(bound) >= limits.size:
                 self.by_size = self.at.time if self.by_size is None else self.by_size
             else:
                 self._note_arm()
-        if room.speed < min(_NEARLY_STILL * limits.speed, abs(speed)):
+        if allowed.speed < min(_NEARLY_STILL * limits.speed, abs(speed)):
             self._note_arm()
-        return next_correction(self.now, speed, room, left, walked)
+        return next_correction(self.now, speed, allowed, left, elapsed)
 
-    def _room(self, speed: float, reference: JointReference, left: float) -> CorrectionRoom:
+    def _range(self, speed: float, reference: JointReference, left: float) -> CorrectionRange:
         """Return the room for the correction within limits and arm, here and some time ahead."""
         limits, value = self.at.station.controller.correction, self.now.value
-        here = self.arm.room(limits, reference.q[-1] + self.added.q, value)
+        here = self.arm.range_at(limits, reference.q[-1] + self.added.q, value)
         ahead = self.rows.ticks - round(max(left - _LOOK_AHEAD, 0.0) * self.at.hz)
         side = math.copysign(1.0, value or speed)
         bounds = self.arm.bounds(limits, self.rows.q[ahead - 1], value, side, self.added)

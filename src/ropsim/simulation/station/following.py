@@ -147,17 +147,17 @@ class Follower:
             self.passed.append((self.clock.place, at.tick))
             return
         limits = self.limits = self.limits or self.motion.clock_limits()
-        walked: list[JointReference] = []
+        followed: list[JointReference] = []
         for _ in range(min(longest, every)):
             self.clock, row = advance(self.clock, rows, 1, override, limits, period)
-            walked.append(row)
-            self.passed.append((self.clock.place, at.tick + len(walked)))
+            followed.append(row)
+            self.passed.append((self.clock.place, at.tick + len(followed)))
             if self.clock.place >= place:
                 break
         reference = JointReference(
-            np.concatenate([row.q for row in walked]),
-            np.concatenate([row.qd for row in walked]),
-            np.concatenate([row.qdd for row in walked]),
+            np.concatenate([row.q for row in followed]),
+            np.concatenate([row.qd for row in followed]),
+            np.concatenate([row.qdd for row in followed]),
         )
         at.follow(self._corrected(reference, before))
 
@@ -166,5 +166,5 @@ class Follower:
         if self.correcting is None:
             return reference
         period, place = self.plan.period, self.clock.place
-        walked, left = (place - before) * period, (self.plan.ticks - place) * period
-        return self.correcting.corrected(reference, walked, left, self.clock.rate)
+        elapsed, left = (place - before) * period, (self.plan.ticks - place) * period
+        return self.correcting.corrected(reference, elapsed, left, self.clock.rate)

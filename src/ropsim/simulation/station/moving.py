@@ -96,7 +96,7 @@ def _follow(
         follower.correcting = Correcting(at, world, one, tracking, planned.reference) if tracking else None
         yield from _to(run, at, follower, one)
         if follower.lookout:
-            run.findings += _told_by(follower.lookout, follower, one, first)
+            run.findings += _condition_findings(follower.lookout, follower, one, first)
         run.findings += follower.correcting.findings() if follower.correcting else ()
         end, out = at.tick, None
         if number == len(planned.moves) - 1 and not at.cut_short:
@@ -131,7 +131,9 @@ def _lookout(run: CellRun, at: StationRun, world: SimulatedWorld, guard: Guard) 
     return Lookout(guard, world, at, at.time, signal.sensor if signal is not None else None)
 
 
-def _told_by(lookout: Lookout, follower: Follower, one: TimedMove, first: float) -> tuple[Diagnostic, ...]:
+def _condition_findings(
+    lookout: Lookout, follower: Follower, one: TimedMove, first: float
+) -> tuple[Diagnostic, ...]:
     """Return the findings on the condition of a move that has ended; it began at a place of the plan."""
     if follower.at.cut_short:
         return ()

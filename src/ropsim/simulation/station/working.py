@@ -26,7 +26,7 @@ from ropsim.simulation.diagnostics.input_diagnostics import STOPPED
 from ropsim.simulation.diagnostics.run_diagnostics import RUN_TOO_LONG
 from ropsim.simulation.grips.gripping import grip
 from ropsim.simulation.records.adapting import adapted
-from ropsim.simulation.records.looks import Looks
+from ropsim.simulation.records.repeated_reads import RepeatedReads
 from ropsim.simulation.records.steps import Steps
 from ropsim.simulation.servo.diagnostics import DivergedError, ServoArrayError
 from ropsim.simulation.state.cell_run import CellRun
@@ -65,7 +65,7 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
     )
     machine = Machine(program, world)
     steps = Steps(adapted(machine.advance, options.adapt))
-    serving, looks = Serving(), Looks()
+    serving, reads = Serving(), RepeatedReads()
     yield from _while_held(run, at)
     step = steps.take()
     with _blamed(at):
@@ -73,20 +73,24 @@ def work(run: CellRun, at: StationRun, program: Program, options: RunOptions) ->
             if not is_needed(run, at) and serving.comes_round(machine, step):
                 at.dismissed = True
                 break
-            again = isinstance(step, SyncInstruction) and looks.comes_round(machine.code_place, at.tick)
-            at.polled = world.polling.look(machine, step, at.tick, again=again)
+            again = isinstance(step, SyncInstruction) and reads.comes_round(machine.code_place, at.tick)
+            at.polled = world.polling.poll(machine, step, at.tick, again=again)
             sequence = gather(step, steps) if isinstance(step, MoveInstruction) else None
             if sequence:
                 yield from move(run, at, sequence, world)
             else:
                 yield from _carry_out(run, at, step, world, again=again)
             if isinstance(step, SyncInstruction):
-                looks.add(machine.code_place, at.tick)
+                reads.add(machine.code_place, at.tick)
             at.is_busy = False
             yield
             yield from _while_held(run, at)
             step = steps.take()
-            if at.looked and not isinstance(step, WaitInstruction) and type(step) is not SyncInstruction:
+            if (
+                at.polling_wait
+                and not isinstance(step, WaitInstruction)
+                and type(step) is not SyncInstruction
+            ):
                 run.end_looking(at)  # it does something else now: a step of a live run ends before that
                 yield
                 yield from _while_held(run, at)
@@ -114,7 +118,7 @@ def _stood(
     run: CellRun, at: StationRun, since: int, step: Instruction, pause: float, world: SimulatedWorld
 ) -> None:
     """Note that the program has stood from a tick on, for a time or because it looks again and again."""
-    stood = WaitEvent(*at.when(since), step.origin, pause=pause, looked=world.polling.looked)
+    stood = WaitEvent(*at.when(since), step.origin, pause=pause, looked=world.polling.channels)
     if stood.looked:
         run.note_looking(at, since, stood)
     else:

@@ -39,7 +39,7 @@ SLACK = 1.1
 
 
 @record
-class Looked:
+class TrackPairs:
     """Pairs of convex bodies on tracks.
 
     Attributes:
@@ -92,13 +92,13 @@ class Nearest:
     step: int
 
 
-def looked_at(
+def pairs_on_tracks(
     solids: Collisions,
     made: Sequence[Track],
     intents: Intents,
     met: frozenset[Pair],
     clearance: float,
-) -> Looked:
+) -> TrackPairs:
     """Return the pairs that are checked.
 
     Omitted are the pairs of `left_out` of `ropsim.collision`, pairs that overlap at the start, and gripped
@@ -141,17 +141,17 @@ def looked_at(
             block[:, 5] = len(carriers) + between.setdefault(both, len(between))
         rows.append(block)
     pairs = np.concatenate([np.empty((0, 7)), *rows])
-    return Looked(seen, np.array(items).reshape(-1, 22), tuple(owner), carriers, tuple(between), pairs)
+    return TrackPairs(seen, np.array(items).reshape(-1, 22), tuple(owner), carriers, tuple(between), pairs)
 
 
 def nearest(
-    solids: Collisions, looked: Looked, recording: Recording, progress: Callable[[float], None]
+    solids: Collisions, checked: TrackPairs, recording: Recording, progress: Callable[[float], None]
 ) -> Nearest:
     """Return how near pairs come: at rows far apart first, then at all rows where anything may be near.
 
     Args:
         solids: the bodies of the cell.
-        looked: the checked pairs.
+        checked: the checked pairs.
         recording: of the run.
         progress: called with the share of the paths that has been checked.
     """
@@ -162,19 +162,19 @@ def nearest(
     }
     motion = Motion(time, Q, {name: np.abs(np.diff(q, axis=0)) for name, q in Q.items()})
     step = max(1, round(COARSE / (time[1] - time[0]))) if len(time) > 1 else 1
-    ends = np.searchsorted(time, [one for track in looked.tracks for one in (track.start, track.end)])
+    ends = np.searchsorted(time, [one for track in checked.tracks for one in (track.start, track.end)])
     edges = np.concatenate([ends, ends - 1, [0, len(time) - 1]])
     rows = np.unique(np.concatenate([np.arange(0, len(time), step), edges.clip(0, len(time) - 1)]))
-    told = _told(progress, (0.0, GLANCED))
-    least = _over(solids, looked, motion, rows[::GLANCE], np.inf, told).least
-    found = _over(solids, looked, motion, rows, least, _told(progress, (GLANCED, SEEN)))
+    part = _part_of(progress, (0.0, GLANCED))
+    least = _over(solids, checked, motion, rows[::GLANCE], np.inf, part).least
+    found = _over(solids, checked, motion, rows, least, _part_of(progress, (GLANCED, SEEN)))
     whole = Nearest(found.gaps, rows[found.rows], _in_rows(found.episodes, rows), step)
     last = len(rows) - 1
     ahead = [np.arange(rows[k], rows[min(k + 1, last)] + 1) for k in found.near.tolist()]
     if not ahead:
         return whole
     dense = np.unique(np.concatenate(ahead))
-    more = _over(solids, looked, motion, dense, found.least, _told(progress, (SEEN, 1.0)))
+    more = _over(solids, checked, motion, dense, found.least, _part_of(progress, (SEEN, 1.0)))
     better = more.gaps < whole.gaps
     return Nearest(
         np.where(better, more.gaps, whole.gaps),
@@ -184,37 +184,37 @@ def nearest(
     )
 
 
-def frames_at(solids: Collisions, looked: Looked, Q: Mapping[str, Array]) -> Array:
+def frames_at(solids: Collisions, checked: TrackPairs, Q: Mapping[str, Array]) -> Array:
     """Return R_W by rows and p_W [m] of the carriers at joint coordinates, shape (c, k, 12)."""
-    poses = body_poses(solids.tree, Q, looked.carriers)
+    poses = body_poses(solids.tree, Q, checked.carriers)
     count = len(next(iter(Q.values())))
-    frames = np.empty((len(looked.carriers), count, 12))
-    for k, name in enumerate(looked.carriers):
+    frames = np.empty((len(checked.carriers), count, 12))
+    for k, name in enumerate(checked.carriers):
         frames[k, :, :9] = poses[name][:, :3, :3].reshape(-1, 9)
         frames[k, :, 9:] = poses[name][:, :3, 3]
     return frames
 
 
-def _told(progress: Callable[[float], None], share: Span) -> Callable[[float], None]:
+def _part_of(progress: Callable[[float], None], share: Span) -> Callable[[float], None]:
     """Return a progress of a part of the whole."""
     return lambda done: progress(share[0] + done * (share[1] - share[0]))
 
 
 def _over(
     solids: Collisions,
-    looked: Looked,
+    checked: TrackPairs,
     motion: Motion,
     rows: Rows,
     least: float,
     progress: Callable[[float], None],
 ) -> Approach:
     """Return how near pairs come at some rows of a recording."""
-    frames = frames_at(solids, looked, {name: q[rows] for name, q in motion.Q.items()})
-    seen = [_as_seen(frames, *pair)[np.newaxis] for pair in looked.seen]
+    frames = frames_at(solids, checked, {name: q[rows] for name, q in motion.Q.items()})
+    seen = [_as_seen(frames, *pair)[np.newaxis] for pair in checked.seen]
     carriers = Carriers(frames, _travel(np.concatenate([frames, *seen]), _wiggle(motion, rows)))
-    pairs = looked.pairs.copy()
+    pairs = checked.pairs.copy()
     pairs[:, 2:4] = np.searchsorted(motion.time[rows], pairs[:, 2:4])
-    return closest(solids.bodies, looked.items, pairs, carriers, least, progress)
+    return closest(solids.bodies, checked.items, pairs, carriers, least, progress)
 
 
 def _in_rows(episodes: Rows, rows: Rows) -> Rows:

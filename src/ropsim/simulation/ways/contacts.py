@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
-from ropsim.collision import ROUGH, Collisions, Nearness, Pair
+from ropsim.collision import COARSE, Collisions, Nearness, Pair
 from ropsim.core import frozen_dataclass
 from ropsim.flow import Contact, Event, Recording, body_title
 from ropsim.model import WORLD, Body, BodyKind, Cell
-from ropsim.simulation.ways.approaches import Looked, Nearest
+from ropsim.simulation.ways.approaches import Nearest, TrackPairs
 from ropsim.simulation.ways.deep_rows import deep_rows, nearness_at
 from ropsim.simulation.ways.episodes import PairRows, pair_rows
 from ropsim.spatial import Array
@@ -54,7 +54,7 @@ class Contacts:
 
 def contacts_of(
     solids: Collisions,
-    looked: Looked,
+    checked: TrackPairs,
     seen: Nearest,
     recording: Recording,
     cell: Cell,
@@ -64,7 +64,7 @@ def contacts_of(
 
     Args:
         solids: the bodies of the cell.
-        looked: the checked pairs.
+        checked: the checked pairs.
         seen: how near they come.
         recording: of the run.
         cell: simulated cell.
@@ -72,19 +72,19 @@ def contacts_of(
     """
     bodies = solids.tree.by_name()
     limits = {
-        pair: _allowed(bodies, _bodies_of(looked, pair), cell) for pair in {*seen.episodes[:, 0].tolist()}
+        pair: _allowed(bodies, _bodies_of(checked, pair), cell) for pair in {*seen.episodes[:, 0].tolist()}
     }
     deep: dict[Pair, list[PairRows]] = defaultdict(list)
     near: dict[Pair, list[PairRows]] = defaultdict(list)
-    for one in pair_rows(solids, looked, seen, recording, limits.__getitem__):
-        key = _ordered(looked, bodies, one.pair)
+    for one in pair_rows(solids, checked, seen, recording, limits.__getitem__):
+        key = _ordered(checked, bodies, one.pair)
         inside = (one.gaps <= 0.0) & (one.most > limits[one.pair])
         if inside.any():
             deep[key].append(one.at(inside))
-        close = np.isfinite(one.gaps) & (one.gaps <= looked.pairs[one.pair, 6])
-        if looked.pairs[one.pair, 6] > 0.0 and close.any():
+        close = np.isfinite(one.gaps) & (one.gaps <= checked.pairs[one.pair, 6])
+        if checked.pairs[one.pair, 6] > 0.0 and close.any():
             near[key].append(one.at(close))
-    places = _Places(solids, looked, recording, cell, bodies)
+    places = _Places(solids, checked, recording, cell, bodies)
     last = len(recording.time) - 1
     found: list[Contact] = []
     drawn: list[Pair] = []
@@ -96,13 +96,13 @@ def contacts_of(
                 drawn.append(key)
                 continue
             allowed = limits[parts[0].pair]
-            for first, until, deeper in _joined(deep_rows(solids, looked, parts, allowed)):
-                deepest = _deepest(solids, looked, deeper, allowed)
+            for first, until, deeper in _joined(deep_rows(solids, checked, parts, allowed)):
+                deepest = _deepest(solids, checked, deeper, allowed)
                 if deepest is not None:
                     spans[key].append((first, until))
                     found.append(places.contact(key, first, until, *deepest))
     approached = [
-        places.contact(key, begin, end, *_nearest(solids, looked, parts))
+        places.contact(key, begin, end, *_nearest(solids, checked, parts))
         for key, some in near.items()
         for begin, end, parts in _joined(some)
         if key not in drawn and not any(first <= end and begin <= until for first, until in spans[key])
@@ -114,15 +114,15 @@ def _in_time(one: Contact) -> tuple[float, str, str]:
     return one.begin, one.one, one.other
 
 
-def _bodies_of(looked: Looked, pair: int) -> Pair:
+def _bodies_of(checked: TrackPairs, pair: int) -> Pair:
     """Return the names of the bodies of a pair of convex bodies."""
-    one, other = (looked.tracks[looked.owner[int(item)]].body for item in looked.pairs[pair, :2])
+    one, other = (checked.tracks[checked.owner[int(item)]].body for item in checked.pairs[pair, :2])
     return one, other
 
 
-def _ordered(looked: Looked, bodies: Mapping[str, Body], pair: int) -> Pair:
+def _ordered(checked: TrackPairs, bodies: Mapping[str, Body], pair: int) -> Pair:
     """Return the names of the bodies of a pair: moving ones first, tools before arms, arms before parts."""
-    tracks = [looked.tracks[looked.owner[int(item)]] for item in looked.pairs[pair, :2]]
+    tracks = [checked.tracks[checked.owner[int(item)]] for item in checked.pairs[pair, :2]]
     tracks.sort(key=lambda one: (one.carrier == WORLD, _RANK.index(bodies[one.body].kind), one.body))
     return tracks[0].body, tracks[1].body
 
@@ -146,12 +146,12 @@ def _joined(some: Sequence[PairRows]) -> Iterator[tuple[int, int, list[PairRows]
 
 
 def _deepest(
-    solids: Collisions, looked: Looked, parts: Sequence[PairRows], allowed: float
+    solids: Collisions, checked: TrackPairs, parts: Sequence[PairRows], allowed: float
 ) -> tuple[PairRows, int, Nearness] | None:
     """Return where a contact is the deepest: its convex bodies, a row of them, how near they are there.
 
     Branch and bound: bounds of the depth determine the next row to compute, and a depth bounds the depths of
-    nearby rows by the distance moved. The result is the greatest one to `ROUGH`; None where no depth is more
+    nearby rows by the distance moved. The result is the greatest one to `COARSE`; None where no depth is more
     than allowed.
     """
     most = [one.most.copy() for one in parts]
@@ -160,42 +160,44 @@ def _deepest(
     for _ in range(MOST):
         number = max(range(len(parts)), key=lambda k: (float(most[k].max()), -k))
         row = int(np.argmax(most[number]))
-        if most[number][row] <= depth + ROUGH:
+        if most[number][row] <= depth + COARSE:
             break
         one = parts[number]
-        near = nearness_at(solids, looked, one, row)
+        near = nearness_at(solids, checked, one, row)
         if -near.distance > depth:
             depth, best = -near.distance, (one, row, near)
-        np.minimum(most[number], np.abs(one.way - one.way[row]) - near.distance, out=most[number])
+        np.minimum(most[number], np.abs(one.moved - one.moved[row]) - near.distance, out=most[number])
     return best
 
 
-def _nearest(solids: Collisions, looked: Looked, parts: Sequence[PairRows]) -> tuple[PairRows, int, Nearness]:
+def _nearest(
+    solids: Collisions, checked: TrackPairs, parts: Sequence[PairRows]
+) -> tuple[PairRows, int, Nearness]:
     """Return where two bodies that are too near are the nearest."""
     one = min(parts, key=lambda each: float(each.gaps.min()))
     row = int(np.argmin(one.gaps))
-    return one, row, nearness_at(solids, looked, one, row)
+    return one, row, nearness_at(solids, checked, one, row)
 
 
-def _place(solids: Collisions, looked: Looked, one: PairRows, row: int, near: Nearness) -> Array:
+def _place(solids: Collisions, checked: TrackPairs, one: PairRows, row: int, near: Nearness) -> Array:
     """Return a point in both bodies, or half way between two that are apart, in W [m], shape (3,).
 
     It is the middle of the common part of both bounding boxes on the line along which they are parted.
     """
-    start, way = near.point_one, near.point_other - near.point_one
-    length = float(np.linalg.norm(way))
+    start, gap = near.point_one, near.point_other - near.point_one
+    length = float(np.linalg.norm(gap))
     if near.distance >= 0.0 or length == 0.0:
-        return np.asarray(start + 0.5 * way)
+        return np.asarray(start + 0.5 * gap)
     least, most = -np.inf, np.inf
-    for item, pose in zip(looked.pairs[one.pair, :2], (one.first[row], one.second[row]), strict=True):
-        middle, halves = solids.bodies.box(int(looked.items[int(item), 0]))
+    for item, pose in zip(checked.pairs[one.pair, :2], (one.first[row], one.second[row]), strict=True):
+        middle, halves = solids.bodies.box(int(checked.items[int(item), 0]))
         R = pose[:9].reshape(3, 3)
-        at, along = R.T @ (start - pose[9:]) - middle, R.T @ way / length
+        at, along = R.T @ (start - pose[9:]) - middle, R.T @ gap / length
         for k in range(3):
             if abs(along[k]) > PARALLEL:
                 ends = sorted(((-halves[k] - at[k]) / along[k], (halves[k] - at[k]) / along[k]))
                 least, most = max(least, ends[0]), min(most, ends[1])
-    return np.asarray(start + 0.5 * (least + most) * way / length)
+    return np.asarray(start + 0.5 * (least + most) * gap / length)
 
 
 class _Places:
@@ -204,13 +206,13 @@ class _Places:
     def __init__(
         self,
         solids: Collisions,
-        looked: Looked,
+        checked: TrackPairs,
         recording: Recording,
         cell: Cell,
         bodies: Mapping[str, Body],
     ) -> None:
         self._solids = solids
-        self._looked, self._recording, self._bodies = looked, recording, bodies
+        self._checked, self._recording, self._bodies = checked, recording, bodies
         self._supplies = {part.name: part.supply for part in cell.parts if part.supply}
         self._passes = _passes(recording.events)
 
@@ -218,14 +220,14 @@ class _Places:
         """Return the record of a contact."""
         time = self._recording.time
         start = float(time[begin])
-        line, station = line_of(self._looked, one.pair, start, self._recording, self._bodies)
+        line, station = line_of(self._checked, one.pair, start, self._recording, self._bodies)
         return Contact(
             *key,
             start,
             float(time[end]),
             near.distance,
             float(time[one.rows[row]]),
-            tuple(_place(self._solids, self._looked, one, row, near).tolist()),
+            tuple(_place(self._solids, self._checked, one, row, near).tolist()),
             " – ".join(body_title(self._supplies.get(name, name)) for name in key),
             station,
             line,
@@ -253,12 +255,12 @@ def _passes(events: Iterable[Event]) -> Mapping[tuple[str, int], tuple[list[floa
 
 
 def line_of(
-    looked: Looked, pair: int, time: float, recording: Recording, bodies: Mapping[str, Body]
+    checked: TrackPairs, pair: int, time: float, recording: Recording, bodies: Mapping[str, Body]
 ) -> tuple[int, str]:
     """Return source line and station of the moving body of a pair, at a time."""
     facts = recording.facts
-    for item in looked.pairs[pair, :2].astype(int):
-        name = looked.tracks[looked.owner[int(item)]].carrier
+    for item in checked.pairs[pair, :2].astype(int):
+        name = checked.tracks[checked.owner[int(item)]].carrier
         while name != WORLD:
             body = bodies[name]
             station = facts.station(body.mover.mechanism) if body.mover else None

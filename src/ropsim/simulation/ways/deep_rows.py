@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ropsim.collision import ROUGH, Collisions, Nearness
-from ropsim.simulation.ways.approaches import Looked
+from ropsim.collision import COARSE, Collisions, Nearness
+from ropsim.simulation.ways.approaches import TrackPairs
 from ropsim.simulation.ways.episodes import PairRows
 
 MOST_ROWS = 400
@@ -13,7 +13,7 @@ MOST_ROWS = 400
 
 
 def deep_rows(
-    solids: Collisions, looked: Looked, parts: Sequence[PairRows], allowed: float
+    solids: Collisions, checked: TrackPairs, parts: Sequence[PairRows], allowed: float
 ) -> list[PairRows]:
     """Return the convex bodies of a contact, at the rows where any two of them are deeper than they may be.
 
@@ -22,7 +22,7 @@ def deep_rows(
 
     Args:
         solids: the bodies of the cell.
-        looked: the checked pairs.
+        checked: the checked pairs.
         parts: the convex bodies of two bodies, at rows at which they touch.
         allowed: how deep they may be in each other [m].
     """
@@ -37,9 +37,9 @@ def deep_rows(
         if not len(undecided):
             break
         one, row = parts[number], int(undecided[len(undecided) // 2])
-        depth, way = -nearness_at(solids, looked, one, row).distance, np.abs(one.way - one.way[row])
-        np.minimum(most[number], depth + way, out=most[number])
-        np.maximum(least[number], depth - way, out=least[number])
+        depth, moved = -nearness_at(solids, checked, one, row).distance, np.abs(one.moved - one.moved[row])
+        np.minimum(most[number], depth + moved, out=most[number])
+        np.maximum(least[number], depth - moved, out=least[number])
         is_deep[where[number][least[number] > allowed]] = True
     for up, at in zip(most, where, strict=True):
         is_deep[at[up > allowed]] = True
@@ -47,17 +47,17 @@ def deep_rows(
     return [one for one in cut if len(one.rows)]
 
 
-def nearness_at(solids: Collisions, looked: Looked, one: PairRows, row: int) -> Nearness:
+def nearness_at(solids: Collisions, checked: TrackPairs, one: PairRows, row: int) -> Nearness:
     """Return how near two convex bodies are at a row.
 
     Args:
         solids: the bodies of the cell.
-        looked: the checked pairs.
+        checked: the checked pairs.
         one: the two.
         row: number of the row among the rows of the two.
     """
-    numbers = [int(number) for number in looked.items[looked.pairs[one.pair, :2].astype(int), 0]]
+    numbers = [int(number) for number in checked.items[checked.pairs[one.pair, :2].astype(int), 0]]
     poses = np.zeros((len(solids.bodies.convexes), 12))
     poses[numbers[0]], poses[numbers[1]] = one.first[row], one.second[row]
     found = solids.bodies.distances(poses, np.array([numbers]), np.zeros(1), (np.inf, np.inf))
-    return solids.bodies.nearness(poses, numbers, found[0], ROUGH)
+    return solids.bodies.nearness(poses, numbers, found[0], COARSE)

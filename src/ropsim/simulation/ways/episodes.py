@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from ropsim.collision import Collisions
 from ropsim.flow import Recording
-from ropsim.simulation.ways.approaches import Looked, Nearest, Rows, frames_at
+from ropsim.simulation.ways.approaches import Nearest, Rows, TrackPairs, frames_at
 from ropsim.spatial import Array, record
 
 Mask = npt.NDArray[np.bool_]
@@ -25,7 +25,7 @@ class PairRows:
         first: R_W by rows and p_W [m] of the first body, shape (k, 12).
         second: the same of the second body.
         most: upper bound of the depth at each row [m], shape (k,); no penetration where it is not positive.
-        way: bound of the motion up to each row, as the first body sees it [m], shape (k,): between two rows
+        moved: bound of the motion up to each row, as the first body sees it [m], shape (k,): between two rows
             no point of the second body is displaced by more than the difference.
         gaps: distance at each row, 0 or less where they touch [m], shape (k,); inf where it is not needed.
     """
@@ -35,7 +35,7 @@ class PairRows:
     first: Array
     second: Array
     most: Array
-    way: Array
+    moved: Array
     gaps: Array
 
     def at(self, chosen: Mask) -> "PairRows":
@@ -46,14 +46,14 @@ class PairRows:
             self.first[chosen],
             self.second[chosen],
             self.most[chosen],
-            self.way[chosen],
+            self.moved[chosen],
             self.gaps[chosen],
         )
 
 
 def pair_rows(
     solids: Collisions,
-    looked: Looked,
+    checked: TrackPairs,
     seen: Nearest,
     recording: Recording,
     allowed: Callable[[int], float],
@@ -62,12 +62,12 @@ def pair_rows(
 
     Args:
         solids: the bodies of the cell.
-        looked: the checked pairs.
+        checked: the checked pairs.
         seen: their episodes.
         recording: of the run.
         allowed: returns how deep the bodies of a pair may be in each other [m].
     """
-    windows = _windows(looked, seen, recording.time)
+    windows = _windows(checked, seen, recording.time)
     if not windows:
         return
     rows = np.unique(np.concatenate([*windows.values()]))
@@ -75,29 +75,29 @@ def pair_rows(
         name: recording.channels[recording.facts.channel("q", name)].values[rows].reshape(len(rows), -1)
         for name in solids.tree.mechanisms
     }
-    frames = frames_at(solids, looked, Q)
+    frames = frames_at(solids, checked, Q)
     for pair, own in windows.items():
-        a, b = looked.pairs[pair, :2].astype(int)
+        a, b = checked.pairs[pair, :2].astype(int)
         at = np.searchsorted(rows, own)
-        first, second = _poses(looked.items[a], frames, at), _poses(looked.items[b], frames, at)
-        numbers = int(looked.items[a, 0]), int(looked.items[b, 0])
-        most, way = _bounds(solids, numbers, first, second)
-        within = float(looked.pairs[pair, 6])
+        first, second = _poses(checked.items[a], frames, at), _poses(checked.items[b], frames, at)
+        numbers = int(checked.items[a, 0]), int(checked.items[b, 0])
+        most, moved = _bounds(solids, numbers, first, second)
+        within = float(checked.pairs[pair, 6])
         wanted = most > (-within if within > 0.0 else allowed(pair))
         gaps = np.full(len(own), np.inf)
         if wanted.any():
             gaps[wanted] = solids.bodies.gaps(numbers, first[wanted], second[wanted])
-        yield PairRows(pair, own, first, second, most, way, gaps)
+        yield PairRows(pair, own, first, second, most, moved, gaps)
 
 
-def _windows(looked: Looked, seen: Nearest, time: Array) -> Mapping[int, Rows]:
+def _windows(checked: TrackPairs, seen: Nearest, time: Array) -> Mapping[int, Rows]:
     """Return the rows in and around the episodes of each pair."""
     spans: dict[int, list[tuple[int, int]]] = defaultdict(list)
     for pair, first, last in seen.episodes.tolist():
         spans[pair].append((first, last))
     found: dict[int, Rows] = {}
     for pair, some in sorted(spans.items()):
-        start, end = np.searchsorted(time, looked.pairs[pair, 2:4])
+        start, end = np.searchsorted(time, checked.pairs[pair, 2:4])
         around = [
             np.arange(max(first - seen.step, start), min(last + seen.step, end - 1) + 1)
             for first, last in some
@@ -135,5 +135,5 @@ def _bounds(solids: Collisions, numbers: tuple[int, int], first: Array, second: 
     most = np.minimum(over_a.min(axis=1), over_b.min(axis=1))
     shift = np.linalg.norm(np.diff(on_a, axis=0), axis=1)
     turn = np.linalg.norm(np.diff(R, axis=0).reshape(-1, 9), axis=1) / np.sqrt(2.0)
-    way = np.concatenate([[0.0], np.cumsum(shift + float(np.linalg.norm(h_b)) * turn)])
-    return most, way
+    moved = np.concatenate([[0.0], np.cumsum(shift + float(np.linalg.norm(h_b)) * turn)])
+    return most, moved

@@ -70,7 +70,7 @@ def intended(cell: Cell, tree: BodyTree, recording: Recording, made: Sequence[Tr
         left = _around(own, held.end) if np.isfinite(held.end) else (held.end, held.end)
         for one in (held.hand, *fingers[held.hand]):
             found[one, held.body] += [(taken[0], held.start), (held.start, held.end), (held.end, left[1])]
-        for new in _beside(held, before, taken[1], made, comes):
+        for new in _neighbours(held, before, taken[1], made, comes):
             for one in (held.hand, *fingers[held.hand], held.body):
                 found[one, new].append((held.start, taken[1]))
         if before is not None:
@@ -97,7 +97,7 @@ def _device_of(hand: str, belongs: Mapping[str, str]) -> list[str]:
     return [name for name, one in belongs.items() if one == owner] if owner else [hand]
 
 
-def _beside(
+def _neighbours(
     held: Track, before: Track | None, until: float, made: Iterable[Track], first: Iterable[Track]
 ) -> Iterator[str]:
     """Yield the parts that come while one is lifted, and parts on the same moving body."""

@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from ropsim.collision import NO_MESHES, ROUGH, Collisions, MeshPoints, Nearness, Pair, has_filled_hollow
+from ropsim.collision import COARSE, NO_MESHES, Collisions, MeshPoints, Nearness, Pair, has_filled_hollow
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.flow import BodyPair, Clearance, Contact, Recording, WayFacts
 from ropsim.model import BodyKind, BodyTree, Cell
-from ropsim.simulation.ways.approaches import Looked, Nearest, frames_at, looked_at, nearest
+from ropsim.simulation.ways.approaches import Nearest, TrackPairs, frames_at, nearest, pairs_on_tracks
 from ropsim.simulation.ways.contacts import contacts_of, line_of
 from ropsim.simulation.ways.findings import contact_findings, without_contact_findings
 from ropsim.simulation.ways.intents import intended
@@ -75,21 +75,21 @@ def run_collisions(
     progress(0.0)
     solids = Collisions(cell, meshes)
     at_start = frozenset(one.pair for one in solids.meetings({}))
-    kept = frozenset(pair for pair in at_start if _has_part(solids.tree, pair)) | {*solids.at_rest}
+    drawn = frozenset(pair for pair in at_start if _has_part(solids.tree, pair)) | {*solids.at_rest}
     made = tracks(solids.tree, recording.placements)
     intents = intended(cell, solids.tree, recording, made)
-    looked = looked_at(solids, made, intents, kept, cell.clearance)
+    checked = pairs_on_tracks(solids, made, intents, drawn, cell.clearance)
     there = {one.body for one in made}
     facts = WayFacts(
         unseen=tuple(name for name in solids.shapeless if name in there),
-        met=tuple(BodyPair(*one) for one in sorted(kept)),
+        met=tuple(BodyPair(*one) for one in sorted(drawn)),
         required=cell.clearance,
     )
-    if not len(looked.pairs) or not len(recording.time):
+    if not len(checked.pairs) or not len(recording.time):
         return RunCollisions((), facts)
-    seen = nearest(solids, looked, recording, progress)
-    found = contacts_of(solids, looked, seen, recording, cell, at_start)
-    clearance = _deepest(found.deep) or _clearance(solids, looked, seen, recording)
+    seen = nearest(solids, checked, recording, progress)
+    found = contacts_of(solids, checked, seen, recording, cell, at_start)
+    clearance = _deepest(found.deep) or _clearance(solids, checked, seen, recording)
     met = (*facts.met, *(BodyPair(*pair) for pair in found.drawn))
     facts = replace(
         facts,
@@ -123,29 +123,31 @@ def _deepest(contacts: tuple[Contact, ...]) -> Clearance | None:
     return Clearance(one.one, one.other, one.distance, one.time, one.station, one.line)
 
 
-def _clearance(solids: Collisions, looked: Looked, seen: Nearest, recording: Recording) -> Clearance | None:
+def _clearance(
+    solids: Collisions, checked: TrackPairs, seen: Nearest, recording: Recording
+) -> Clearance | None:
     """Return the least distance of a run without penetrations, 0 for touch; None where nothing counts."""
-    gaps = np.where(looked.pairs[:, 4] > 0.0, seen.gaps, np.inf)
+    gaps = np.where(checked.pairs[:, 4] > 0.0, seen.gaps, np.inf)
     pair = int(np.argmin(gaps))
     if not np.isfinite(gaps[pair]):
         return None
     row = int(seen.rows[pair])
-    found = _at(solids, looked, recording, pair, row)
+    found = _at(solids, checked, recording, pair, row)
     time = float(recording.time[row])
-    line, station = line_of(looked, pair, time, recording, solids.tree.by_name())
+    line, station = line_of(checked, pair, time, recording, solids.tree.by_name())
     return Clearance(found.one, found.other, max(found.distance, 0.0), time, station, line)
 
 
-def _at(solids: Collisions, looked: Looked, recording: Recording, pair: int, row: int) -> Nearness:
+def _at(solids: Collisions, checked: TrackPairs, recording: Recording, pair: int, row: int) -> Nearness:
     """Return how near a pair is at a row of the recording."""
     channels, facts = recording.channels, recording.facts
     Q = {
         name: channels[facts.channel("q", name)].values[row].reshape(1, -1) for name in solids.tree.mechanisms
     }
-    frames = frames_at(solids, looked, Q)[:, 0]
+    frames = frames_at(solids, checked, Q)[:, 0]
     poses = np.zeros((len(solids.bodies.convexes), 12))
     numbers = []
-    for values in looked.items[looked.pairs[pair, :2].astype(int)]:
+    for values in checked.items[checked.pairs[pair, :2].astype(int)]:
         number, carrier = int(values[0]), int(values[1])
         R, p = values[7:16].reshape(3, 3), values[16:19]
         if carrier >= 0:
@@ -155,4 +157,4 @@ def _at(solids: Collisions, looked: Looked, recording: Recording, pair: int, row
         numbers.append(number)
     rows = np.array([numbers])
     found = solids.bodies.distances(poses, rows, np.zeros(1), (np.inf, np.inf))
-    return solids.bodies.nearness(poses, numbers, found[0], ROUGH)
+    return solids.bodies.nearness(poses, numbers, found[0], COARSE)

@@ -49,9 +49,9 @@ class ShownPlacements:
         for one in family:
             if self._bodies[one].mover is None:  # the page has the poses of links and their bodies
                 family += self._on[one]
-                yield one, self._told(one, placement.time)
+                yield one, self._shown(one, placement.time)
 
-    def _told(self, name: str, time: float) -> dict[str, object]:
+    def _shown(self, name: str, time: float) -> dict[str, object]:
         link = carrier(self._bodies, self._parents, name)
         pose, above = self._poses[name], self._parents[name]
         while above != link:

@@ -57,12 +57,12 @@ class RobotFormat:
         if not isinstance(read, ReadNirox):
             return self.write(robot)
         if self is _NIROX:
-            again: WrittenRobot = self._function(self.writer)(robot, read.beside)
+            again: WrittenRobot = self._function(self.writer)(robot, read.further)
             return again
         from ropsim.exchange import kept_lost
 
         written = self.write(robot)
-        return replace(written, losses=(*written.losses, *kept_lost(read.beside)))
+        return replace(written, losses=(*written.losses, *kept_lost(read.further)))
 
     def places(self, source: SourceText) -> PlaceOf | None:
         """Return where the numbers of the robot stand in a text."""

@@ -38,13 +38,13 @@ def test_a_mechanism_of_ap242_becomes_an_arm_with_its_axes_and_its_state() -> No
 def test_written_as_nirox_it_keeps_what_it_said_of_products() -> None:
     found = read(PLAIN)
     assert found.robot is not None
-    text = write_nirox(found.robot, found.beside).text
+    text = write_nirox(found.robot, found.further).text
     assert "FILE_SCHEMA(('ROPSIM_NIROX_V1'))" in text
     for word in ("=PRODUCT('arm'", "=SHAPE_REPRESENTATION('arm',(#", "MASS_MEASURE(4.)"):
         assert text.count(word) == 1
     again = read(text)
     assert again.robot == found.robot
-    assert write_nirox(found.robot, again.beside).text == text
+    assert write_nirox(found.robot, again.further).text == text
 
 
 def test_the_base_is_the_one_that_the_file_names() -> None:
@@ -93,7 +93,7 @@ def test_contexts_as_cad_systems_write_them_are_understood() -> None:
     assert found.robot == same.robot
     assert [one.code for one in found.findings] == HINTS
     assert found.robot is not None
-    assert "UNCERTAINTY" not in write_nirox(found.robot, found.beside).text
+    assert "UNCERTAINTY" not in write_nirox(found.robot, found.further).text
 
 
 def test_masses_of_products_are_those_of_their_links_in_their_own_units() -> None:
@@ -135,7 +135,7 @@ def test_a_mass_that_no_body_has_is_refused_where_it_stands() -> None:
 def test_products_with_masses_are_written_and_read_again_as_nirox() -> None:
     found = read(GIVEN)
     assert found.robot is not None
-    text = write_nirox(found.robot, found.beside).text
+    text = write_nirox(found.robot, found.further).text
     assert read(text).robot == found.robot
 
 

@@ -5,7 +5,7 @@ import pytest
 from ropsim.model import Barrier, BeltDrive, IndexDrive, SwitchDrive
 from ropsim.simulation.devices.axis_profile import AxisProfile
 from ropsim.simulation.devices.belt import Belt
-from ropsim.simulation.devices.device_run import Carried, Driving, Now, Told
+from ropsim.simulation.devices.device_run import Carried, DriveAction, Driving, Now
 from ropsim.simulation.devices.index import Index
 from ropsim.simulation.devices.switch import Switch
 
@@ -14,7 +14,7 @@ BELT = BeltDrive(0.5, 2.0, "run", 3.0, Barrier(2.0, "eye"))
 
 def acted(
     driving: Driving, profile: AxisProfile, time: float, *on: str, carried: tuple[Carried, ...] = ()
-) -> Told:
+) -> DriveAction:
     return driving.act(profile, Now(time, lambda name: name in on, carried))
 
 

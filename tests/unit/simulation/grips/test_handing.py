@@ -11,7 +11,7 @@ from ropsim.flow import Recording, ReleaseEvent
 from ropsim.model import Cell, Device, Gripper, IndexDrive, Part, Signal, Station, Tool
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.simulation.devices.axis_profile import AxisProfile, ProfileSegment
-from ropsim.simulation.grips.handing import LOOKS, look_for_pulls, take_over
+from ropsim.simulation.grips.handing import CHECKS, find_pulls, take_over
 from ropsim.simulation.parts.placements import Seat
 from ropsim.simulation.state.cell_run import CellRun
 from ropsim.simulation.state.clasp import Clasp
@@ -178,9 +178,9 @@ def test_a_device_pulls_too() -> None:
     run_.parts = run_.parts.with_seats({"post": Seat("table/link1", "table/link1", Pose(tcp))})
     run_.clasps[LEFT] = Clasp(left, JAWS, "post", np.zeros(3), 0)
     run_.devices["table"].profile = AxisProfile([ProfileSegment(0.0, 0.0, 1.0, 0.0)])
-    look_for_pulls(run_, 1000, {})
+    find_pulls(run_, 1000, {})
     (found,) = run_.findings
     assert found.code == "S743"
     radius = float(np.hypot(tcp[0], tcp[1]))
     passes = 2.0 * np.arcsin(CAPTURE / radius / 2.0)  # [s], the chord is the way of the post
-    assert passes <= float(str(found.data["time_s"])) < passes + 1.0 / LOOKS + EXACT
+    assert passes <= float(str(found.data["time_s"])) < passes + 1.0 / CHECKS + EXACT

@@ -6,11 +6,11 @@ import pytest
 
 from ropsim.core import Span
 from ropsim.flow import Origin, WaitEvent
-from ropsim.simulation.records.looked_wait import LookedWait
+from ropsim.simulation.records.polling_wait import PollingWait
 
 LINE = Origin(Span.on_line("a.task", 4, 4), 1)
 EVENT = WaitEvent(1.0, 0.5, "left", LINE, pause=0.5, looked=("a", "b"))
-WAIT = LookedWait(EVENT, 1000, 1500)
+WAIT = PollingWait(EVENT, 1000, 1500)
 
 
 def test_a_wait_goes_on_where_it_ends_on_its_line_and_for_the_same() -> None:

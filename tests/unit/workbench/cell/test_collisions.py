@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from ropsim.cellfile import read_cell
-from ropsim.collision import ROUGH, Collisions
+from ropsim.collision import COARSE, Collisions
 from ropsim.core import SourceText
 from ropsim.kinematics import frames_batch, inverse
 from ropsim.model import Cell
@@ -162,8 +162,8 @@ def test_parts_beside_each_other_are_as_deep_in_each_other_as_they_are_turned(tu
     sides = sorted(map(abs, (np.cos(np.radians(turn)), np.sin(np.radians(turn)))))
     found = geometry.overlap("arm", "bolt", 0.012, 0.0)
     assert found is not None
-    assert found.depth == pytest.approx(0.020 - 0.012 * sides[1], abs=ROUGH)
-    assert found.length == pytest.approx(0.020 / sides[1], abs=ROUGH)
+    assert found.depth == pytest.approx(0.020 - 0.012 * sides[1], abs=COARSE)
+    assert found.length == pytest.approx(0.020 / sides[1], abs=COARSE)
     assert geometry.overlap("arm", "bolt", 0.0, found.length) is None
     assert geometry.overlap("arm", "bolt", found.length - 0.0018, 0.0) is None  # a cell allows 2 mm
     assert geometry.overlap("arm", "bolt", found.length - 0.0029, 0.0) is not None

@@ -55,7 +55,7 @@ class LivePace:
         heard: number of events already processed.
         shown: when the last frame was due [s of the wall clock].
         grown: time of the last update on the duration of running tasks [s of the wall clock].
-        begun: serial of the newest task already sent, by station.
+        newest_sent: serial of the newest task already sent, by station.
         hand: holds, slows and ends the run.
     """
 
@@ -73,7 +73,7 @@ class LivePace:
     heard: int = 0
     shown: float = float("-inf")
     grown: float = float("-inf")
-    begun: dict[str, int] = field(default_factory=dict)
+    newest_sent: dict[str, int] = field(default_factory=dict)
     hand: Hand = field(default_factory=Hand)
 
     @property
@@ -159,8 +159,8 @@ class LivePace:
             if not at.is_busy:
                 continue
             for task in at.activations.around(at.origin, name, at.hz):
-                if grown or self.begun.get(name, 0) < task.serial:
-                    self.begun[name] = max(self.begun.get(name, 0), task.serial)
+                if grown or self.newest_sent.get(name, 0) < task.serial:
+                    self.newest_sent[name] = max(self.newest_sent.get(name, 0), task.serial)
                     yield replace(task, duration=max(task.duration, at.time - task.time))
 
     def _show_until(self, run: RunView, until: float) -> None:

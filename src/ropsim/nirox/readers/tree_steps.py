@@ -1,4 +1,4 @@
-"""The ways from the base to all links of a mechanism, and the joints that are on none."""
+"""Steps along joints from the base to all links of a mechanism, and the joints that are on none."""
 
 from collections.abc import Sequence
 from heapq import heappop, heappush
@@ -7,8 +7,8 @@ from ropsim.core import frozen_dataclass
 
 
 @frozen_dataclass
-class Ways:
-    """The ways to all links.
+class TreeSteps:
+    """The steps to all links.
 
     Attributes:
         steps: number of a joint, the link that is nearer to the base, and the one that it moves; a link is
@@ -22,34 +22,34 @@ class Ways:
     apart: tuple[int, ...]
 
 
-def ways(base: int, ends: Sequence[tuple[int, int]]) -> Ways:
-    """Return the ways along joints; the first possible one comes next.
+def tree_steps(base: int, ends: Sequence[tuple[int, int]]) -> TreeSteps:
+    """Return the steps along joints; the first possible joint comes next.
 
     Args:
         base: the link that stands still.
         ends: the two links of each joint.
     """
     at: dict[int, list[int]] = {}
-    for place, pair in enumerate(ends):
+    for number, pair in enumerate(ends):
         for link in pair:
-            at.setdefault(link, []).append(place)
+            at.setdefault(link, []).append(number)
     reached, done, ready = {base}, set[int](), list[int]()
     steps, closing = [], []
-    for place in at.get(base, ()):
-        heappush(ready, place)
+    for number in at.get(base, ()):
+        heappush(ready, number)
     while ready:
-        place = heappop(ready)
-        if place in done:
+        number = heappop(ready)
+        if number in done:
             continue
-        done.add(place)
-        near, far = ends[place] if ends[place][0] in reached else ends[place][::-1]
+        done.add(number)
+        near, far = ends[number] if ends[number][0] in reached else ends[number][::-1]
         if far in reached:
-            closing.append(place)
+            closing.append(number)
             continue
-        steps.append((place, near, far))
+        steps.append((number, near, far))
         reached.add(far)
         for other in at[far]:
             if other not in done:
                 heappush(ready, other)
-    apart = tuple(place for place in range(len(ends)) if place not in done)
-    return Ways(tuple(steps), tuple(closing), apart)
+    apart = tuple(number for number in range(len(ends)) if number not in done)
+    return TreeSteps(tuple(steps), tuple(closing), apart)

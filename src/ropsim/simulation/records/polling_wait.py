@@ -5,7 +5,7 @@ from ropsim.flow import WaitEvent
 
 
 @frozen_dataclass
-class LookedWait:
+class PollingWait:
     """A wait that may go on.
 
     Attributes:

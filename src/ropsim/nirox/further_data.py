@@ -29,7 +29,7 @@ _REPLACED = frozenset(
 
 
 @frozen_dataclass
-class Beside:
+class FurtherData:
     """Data of a file in addition to its robot.
 
     Attributes:
@@ -51,10 +51,10 @@ class Beside:
     frames: tuple[FurtherFrame, ...] = ()
 
 
-NOTHING = Beside()
+NOTHING = FurtherData()
 
 
-def beside_of(seen: Seen, robot: RobotModel, frames: tuple[FurtherFrame, ...]) -> Beside:
+def further_data_of(seen: Seen, robot: RobotModel, frames: tuple[FurtherFrame, ...]) -> FurtherData:
     """Return the data of a file in addition to its robot.
 
     Args:
@@ -79,7 +79,7 @@ def beside_of(seen: Seen, robot: RobotModel, frames: tuple[FurtherFrame, ...]) -
             _compare(seen, key, own, original, changes, further)
     instances = seen.instances
     numbers = tuple(one for one in instances if one not in seen.taken or one in unwritten)
-    return Beside(instances, dict(seen.keys), numbers, changes, further, replaced, frames)
+    return FurtherData(instances, dict(seen.keys), numbers, changes, further, replaced, frames)
 
 
 def _compare(

@@ -6,7 +6,7 @@ from ropsim.icr import CodePlace
 
 
 @dataclass(slots=True)
-class Looks:
+class RepeatedReads:
     """Detects that a program reads again before time has advanced.
 
     All readings of one pass are made at one instant and take no time. If the program comes to a place again

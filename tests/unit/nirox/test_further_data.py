@@ -40,7 +40,7 @@ def robot_of(found: ReadNirox) -> RobotModel:
 
 def test_entities_that_nobody_knows_and_those_without_effect_are_kept_and_told() -> None:
     found = read(WHOLE)
-    text = write_nirox(robot_of(found), found.beside).text
+    text = write_nirox(robot_of(found), found.further).text
     assert read(text).robot == found.robot
     for word in (
         "=FUTURE_THING('x',#",
@@ -59,13 +59,13 @@ def test_entities_that_nobody_knows_and_those_without_effect_are_kept_and_told()
 
 def test_what_is_kept_is_written_in_the_same_way_ever_after() -> None:
     first = read(WHOLE)
-    text = write_nirox(robot_of(first), first.beside).text
+    text = write_nirox(robot_of(first), first.further).text
     second = read(text)
-    assert write_nirox(robot_of(second), second.beside).text == text
+    assert write_nirox(robot_of(second), second.further).text == text
 
 
 def test_kept_entities_refer_to_the_same_things_as_before() -> None:
-    text = write_nirox(robot_of(read(WHOLE)), read(WHOLE).beside).text
+    text = write_nirox(robot_of(read(WHOLE)), read(WHOLE).further).text
     lines = dict(line.split("=", 1) for line in text.splitlines() if line.startswith("#"))
     (thing,) = [value for value in lines.values() if value.startswith("FUTURE_THING")]
     link, part, placement, point = (
@@ -82,8 +82,8 @@ def test_further_frames_go_with_the_units_of_their_representation() -> None:
         "(#42,#44),#5", "(#42,#44,#303),#5"
     )
     found = read(text)
-    assert found.beside.frames[0].X_LF.position.tolist() == [0.0, 0.0, 0.1 / 1000.0]
-    assert "(0.,0.,0.0001)" in write_nirox(robot_of(found), found.beside).text
+    assert found.further.frames[0].X_LF.position.tolist() == [0.0, 0.0, 0.1 / 1000.0]
+    assert "(0.,0.,0.0001)" in write_nirox(robot_of(found), found.further).text
 
 
 def test_what_a_changed_robot_no_longer_has_is_told_as_lost() -> None:
@@ -92,7 +92,7 @@ def test_what_a_changed_robot_no_longer_has_is_told_as_lost() -> None:
     short = replace(
         robot, joints=robot.joints[:1], links=robot.links[:1], drives=(), axes=(0,), home=np.zeros(1), tip=0
     )
-    written = write_nirox(short, found.beside)
+    written = write_nirox(short, found.further)
     assert [one.code for one in written.losses] == ["X953"]
     assert "JOINT_SENSOR" in written.losses[0].message
     assert read(written.text).robot == short
@@ -103,7 +103,7 @@ def test_changed_numbers_win_over_what_the_file_said() -> None:
     robot = robot_of(found)
     drive = replace(robot.drives[0], friction=Friction(2e-4, 0.02, -0.02))
     changed = replace(robot, title="Another", drives=(drive, robot.drives[1]))
-    text = write_nirox(changed, found.beside).text
+    text = write_nirox(changed, found.further).text
     assert "STRIBECK" not in text
     assert "ROBOT_ARM('two_links','','Another'," in text
     assert robot_of(read(text)).drives[0].friction == drive.friction
@@ -111,7 +111,7 @@ def test_changed_numbers_win_over_what_the_file_said() -> None:
 
 def test_what_was_read_is_compared_by_content() -> None:
     assert read(WHOLE) == read(WHOLE.replace("/* units", "/* the units"))
-    assert read(WHOLE).beside != read(WHOLE.replace("LABEL('y')", "LABEL('z')")).beside
+    assert read(WHOLE).further != read(WHOLE.replace("LABEL('y')", "LABEL('z')")).further
 
 
 def test_many_unknown_entities_hide_no_mistake() -> None:
@@ -125,10 +125,10 @@ def test_friction_of_which_nothing_is_held_is_kept_all_the_same() -> None:
     text = WHOLE.replace(".MOTOR_SIDE.,0.0001,0.02,0.03", ".MOTOR_SIDE.,0.,0.,0.03")
     found = read(text)
     assert robot_of(found).drives[0].friction == Friction()
-    assert write_nirox(robot_of(found), found.beside).text.count("=STRIBECK_FRICTION(#") == 1
+    assert write_nirox(robot_of(found), found.further).text.count("=STRIBECK_FRICTION(#") == 1
 
 
 def test_the_first_mechanical_interface_is_the_flange_and_a_second_one_is_kept() -> None:
     found = read(WHOLE.replace("('tcp',.TOOL.", "('tcp',.MECHANICAL_INTERFACE."))
     assert robot_of(found).X_nM.position.tolist() == [0.3, 0.0, 0.0]
-    assert [(one.name, one.role) for one in found.beside.frames] == [("tcp", "mechanical_interface")]
+    assert [(one.name, one.role) for one in found.further.frames] == [("tcp", "mechanical_interface")]
