@@ -268,7 +268,7 @@ def test_in_plain_python_the_references_are_the_same(monkeypatch: pytest.MonkeyP
     asked = [(40, 1.0), (60, 0.0), (40, 0.8), (40, 1.0)]
     compiled = walk(MOVE, asked, LIMITS)
     plain = in_python(walk_kernel)
-    monkeypatch.setattr(motion_clock, "walk", plain)
+    monkeypatch.setattr(motion_clock, "advance_clock", plain)
     monkeypatch.setattr(motion_clock, "_bench", motion_clock._bench.__wrapped__)
     found = walk(MOVE, asked, LIMITS)
     assert found.states == compiled.states
