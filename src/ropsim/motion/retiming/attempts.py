@@ -22,9 +22,9 @@ class Attempts:
     """Timings through m grid points of a motion, as fast as shares of its limits allow.
 
     Args:
-        asked: constraint rows of the motion at the grid points.
+        requested: constraint rows of the motion at the grid points.
         planned: the same, or without torque, which then does not count.
-        places: nominal times [s], rising from 0 to the end, shape (m,).
+        grid_phi: nominal times [s], rising from 0 to the end, shape (m,).
         period: of the control ticks [s].
     """
 
@@ -52,7 +52,7 @@ class Attempts:
         return point, float(self._x[point])
 
     def give_up(self, lacks: Array) -> None:
-        """Go on to the timing with less of the limits around lacks, of shape (4, m), see `Strain`."""
+        """Go on to the timing with less of the limits around lacks, of shape (4, m), see `give_up`."""
         give_up(self._sigma, lacks, self._work, self._shares)
         self._go()
 

@@ -22,7 +22,7 @@ class Speeds:
     """The greatest squared speeds at the m grid points of a path of n joints and r paths.
 
     Args:
-        asked: constraint rows of the path.
+        requested: constraint rows of the path.
         steps: intervals from grid point to grid point, shape (m - 1,).
     """
 

@@ -47,7 +47,7 @@ class _Cubic(NamedTuple):
 def motion_time_at(
     knots: Array1, phi: Array1, rates: Array1, changes: Array1, times: Array1, out: Array2
 ) -> None:
-    """Write nominal time [s], its rate and the change of that [1/s] at real times; see `MotionTime.at`.
+    """Write nominal time [s], its rate and the change of that [1/s] at real times; see `NominalTime.at`.
 
     Args:
         knots: real times of the knots [s], rising, shape (m,), m >= 2.

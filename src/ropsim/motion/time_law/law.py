@@ -66,5 +66,5 @@ def own_law_of(path: object) -> TimeLaw | None:
 TimeLawPlanner = Callable[[Array, Array], TimeLaw]
 """Path limits by intervals, (s, 6), and how many intervals each path segment has, (p,), to a time law.
 
-The columns are length, bounds of speed, acceleration and jerk, ratio and horizon, see `Stage`.
+The columns are length, bounds of speed, acceleration and jerk, ratio and horizon, see `Interval`.
 """

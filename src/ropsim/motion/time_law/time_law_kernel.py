@@ -40,7 +40,7 @@ def plan_segments(
 
     Args:
         bounds: of the path segments in columns: length, speed, acceleration, jerk, ratio, horizon (see
-            `Stage`), of shape (p, 6).
+            `Interval`), of shape (p, 6).
         tables: work: the tables forwards and backwards, units and lengths, shape (3, 12, p + 1).
         rises: work: the tables of rises, of falls, and segments backwards, of shape
             (3, 8, 8·p).

@@ -31,8 +31,8 @@ def binding_constraints(
 
     Joints are compared with the limits in force for the move: speed |q'|/v, acceleration |q''|/a, jerk by the
     difference of q'' at two control ticks, torque by the dynamics with the payload. On paths of the tool its
-    speed, acceleration, jerk and the bends of the path are compared with the limits of the program
-    (`critical_tool`), and external axes that go along against the speed that they may have then.
+    speed, acceleration, jerk and the curvature of the path are compared with the limits of the program
+    (`binding_of_tools`), and external axes that move with it with the speed that they may have then.
 
     Args:
         plan: of a motion sequence.

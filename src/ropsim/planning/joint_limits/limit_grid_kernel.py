@@ -109,7 +109,7 @@ def limits_of_cells(
     counts: Array1,
     result: Array1,
 ) -> None:
-    """Write the path limits of bands: neighbours on one path segment with the same bounds are one.
+    """Write the path limits of cells: neighbours on one path segment with the same bounds are one.
 
     Args:
         borders: path parameters between which the cells lie, shape (c + 1,).
@@ -117,7 +117,7 @@ def limits_of_cells(
         owners: number of the path segment that a cell lies on, rising, shape (c,).
         moves: number of the move of each path segment, rising, shape (p,).
         look_ahead: how many moves beyond the present one are known.
-        path_limits: where they go, see `plan_stages`, shape (c, 6).
+        path_limits: where they go, see `plan_segments`, shape (c, 6).
         counts: where the number of path limits of each path segment goes, shape (p,).
         result: where the number of all goes, shape (1,).
     """

@@ -8,7 +8,7 @@ from ropsim.spatial import Array
 
 @frozen_dataclass
 class StandardJointInterpolator:
-    """Goes through all samples; speed and acceleration along the path are continuous, see `motion.Traced`."""
+    """Goes through all samples with continuous speed and acceleration, see `motion.SampledPath`."""
 
     def refine(self, samples: JointSamples) -> JointPath:
         """Return the path of the joints through samples.

@@ -42,7 +42,7 @@ def bounds_of(
     speeds: Array1,
     loose: Array1,
 ) -> None:
-    """Write bounds of derivatives in the k cells between path parameters; see `bends_of`.
+    """Write bounds of derivatives in the k cells between path parameters; see `derivative_bounds_of`.
 
     Args:
         s: path parameters, rising, shape (k + 1,), k >= 3.

@@ -34,7 +34,7 @@ def bent_limits(
     3·d2·v·a + d1·j. Components along d1 add up; components across it are perpendicular to them.
 
     Args:
-        bounds: of the derivatives, rows as in `bends_kernel`, shape (5 or more, k, p).
+        bounds: of the derivatives, rows as in `bounds_of`, shape (5 or more, k, p).
         lengths: of the cells, shape (k,).
         limits: of speed, acceleration and jerk of the parts, shape (3, p).
         share: of the highest speed that bends allow, at which they are traversed at most.

@@ -66,10 +66,10 @@ class Section:
 
 
 def sections_of(joined: Sequence[JoinedSegments], rules: TimingRules) -> tuple[Section, ...]:
-    """Return the parts of a sequence between which the arm stops or motions overlap.
+    """Return the sections of a sequence: between them the arm stops or motions overlap.
 
     Args:
-        joined: the segments, as from `pieces_of`.
+        joined: the segments, as from `segments_of`.
         rules: time law and look-ahead.
     """
     return tuple(_quickest(path_segments, over, rules) for path_segments, over in joined)

@@ -29,7 +29,7 @@ def lay_horizons(moves: Array1, counts: Array1, look_ahead: int, bounds: Array2)
         moves: number of the move of each path segment, rising, shape (p,).
         counts: how many path limits each path segment has, one or more, shape (p,).
         look_ahead: how many moves beyond the present one are known.
-        bounds: of the path limits, see `plan_stages`; ratio and horizon are written, shape (s, 6).
+        bounds: of the path limits, see `plan_segments`; ratio and horizon are written, shape (s, 6).
     """
     for k in range(bounds.shape[0]):
         bounds[k, RATIO], bounds[k, HORIZON] = 1.0, -1.0
@@ -48,7 +48,7 @@ _SEGMENTS, _PATH_SEGMENTS, _LEAVE, _ENTER = range(4)
 
 @kernel
 def lay_sections(segments: Array2, ends: Array1, requested: Array2, sections: Array2, times: Array2) -> None:
-    """Write when runs begin and end, and for how long the section before each still lasts when it begins [s].
+    """Write when sections begin and end, and how long each overlaps the one before [s].
 
     Both motions are added no longer than the shorter one of their sections next to the blend.
 
@@ -58,7 +58,7 @@ def lay_sections(segments: Array2, ends: Array1, requested: Array2, sections: Ar
         requested: of each section: numbers of law segments and path segments; the path parameter on its last
             one from which on the next section may begin, NaN if it stops; and the path parameter on the first
             one of that up to which it may last; shape (r, 4).
-        sections: where all goes that is known of them, see `Course.table`, shape (r, 7).
+        sections: where all goes that is known of them, see `Timing.table`, shape (r, 7).
         times: where start, overlap and end go [s], shape (r, 3).
     """
     segment = path_segment = 0
@@ -109,8 +109,8 @@ def ticks_come(
     """Write the control ticks of events; a segment counts as far as no other section overlaps it.
 
     Args:
-        sections: see `Course.table`, shape (r, 7).
-        path_segment_ends: see `Course.path_segment_ends`, shape (p,).
+        sections: see `Timing.table`, shape (r, 7).
+        path_segment_ends: see `Timing.path_segment_ends`, shape (p,).
         move_ends: nominal times at which moves end [s], shape (m,).
         phi: nominal times at the control ticks 1, 2, … [s], shape (ticks,).
         slack: by which nominal times may be off [s].

@@ -100,7 +100,7 @@ class Recorder:
     def channels(self) -> dict[str, Array]:
         """Return the recorded data by name: views of the log, a column for each joint that has the quantity.
 
-        `LogLayout` has the list of quantities; quantities of drives, such as `current`, exist for the joints whose
+        `LogLayout` has the list of quantities. Those of drives, such as `current`, exist for the joints whose
         drives have them.
         """
         return self._named(self._log.table)
