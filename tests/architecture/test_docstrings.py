@@ -75,8 +75,8 @@ def words() -> frozenset[str]:
     folders = (ROOT / "docs", ROOT / "frontend" / "src", SOURCE, ROOT / "tools", ROOT / "examples")
     for folder in folders:
         for pattern in TEXTS:
-            for path in folder.rglob(pattern):
-                found.update(re.findall(r"\w+", path.read_text("utf-8", errors="ignore")))
+            for text in folder.rglob(pattern):
+                found.update(re.findall(r"\w+", text.read_text("utf-8", errors="ignore")))
     return frozenset(found)
 
 
