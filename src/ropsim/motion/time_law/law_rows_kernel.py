@@ -4,10 +4,10 @@ Segments stand in columns: path segment, time at the start [s], path parameter, 
 duration [s], path parameter at the end; see `TimeLaw`.
 """
 
-from math import inf
 from typing import NamedTuple
 
 from ropsim.codegen import Array1, Array2, kernel
+from ropsim.motion.time_law.law_times_kernel import start_of
 from ropsim.spatial import Array
 
 SIXTH = 1.0 / 6.0
@@ -43,7 +43,7 @@ def rows_at(segments: Array2, duration: float, times: Array1, out: Array2) -> No
             k += 1
             continue
         row = _row_at(segments, t, row)
-        start, until = segments[1, row], min(_start_of(segments, row + 1), duration)
+        start, until = segments[1, row], min(start_of(segments, row + 1), duration)
         end = k + 1
         while end < times.shape[0] and start <= max(times[end], 0.0) < until:
             end += 1
@@ -81,8 +81,3 @@ def _row_at(segments: Array, t: float, row: int) -> int:
         else:
             high = middle
     return low
-
-
-def _start_of(segments: Array, row: int) -> float:
-    """Return the time at which a segment starts [s], endless behind the last one."""
-    return float(segments[1, row]) if row < segments.shape[1] else inf

@@ -137,7 +137,7 @@ def _time_of(segments: Array, ends: Array, path_segment: int, beyond: int, row: 
         return s
     if s <= 0.0:
         return 0.0 if path_segment == 0 else float(ends[path_segment - 1])
-    return _time_at(segments, row, s, min(_start_of(segments, row + 1), ends[path_segment]))
+    return _time_at(segments, row, s, min(start_of(segments, row + 1), ends[path_segment]))
 
 
 def _row_of(segments: Array, s: float, first: int, beyond: int, row: int) -> int:
@@ -156,7 +156,7 @@ def _row_of(segments: Array, s: float, first: int, beyond: int, row: int) -> int
     return low
 
 
-def _start_of(segments: Array, row: int) -> float:
+def start_of(segments: Array, row: int) -> float:
     """Return the time at which a segment starts [s], endless behind the last one."""
     return float(segments[1, row]) if row < segments.shape[1] else inf
 

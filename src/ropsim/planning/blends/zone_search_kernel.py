@@ -24,8 +24,6 @@ LENGTH, ZONE, CLIP, FROM_END, KIND, BEGIN, WHOLE, FIRST, LAST = range(9)
 """Columns of requests, see `zones_of_arm`."""
 PARAMETER, DISTANCE = range(2)
 """Columns of results."""
-SIDE_BY_SIDE = 16
-"""Number of paths searched together, so that their samples are evaluated at once."""
 PARAMETERS, STATE = 3, 4
 """Rows of samples, behind those of `next_samples`."""
 COUNT, ENDS, CENTRED, X, Y, Z, HELD = range(7)

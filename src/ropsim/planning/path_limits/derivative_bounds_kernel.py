@@ -72,27 +72,27 @@ def bounds_of(
             h, steep = s[i + 1] - s[i], work[i, size + SLOPE]
             before, behind = max(i - 1, 0), min(i, last - 1)
             one, other = work[before, size + CHANGE], work[behind, size + CHANGE]
-            off = 0.25 * h * _greater(one, other)
-            third = steep + h * _greater(one / _span(s, before), other / _span(s, behind))
+            off = 0.25 * h * greater(one, other)
+            third = steep + h * greater(one / _span(s, before), other / _span(s, behind))
             if i <= last - 2:
-                third = _greater(third, work[i + 1, size + START])
+                third = greater(third, work[i + 1, size + START])
             if i >= 2:
-                third = _greater(third, work[i - 2, size + END])
+                third = greater(third, work[i - 2, size + END])
             if i == last - 1:
-                third = _greater(third, work[last, size + SLOPE])
+                third = greater(third, work[last, size + SLOPE])
             if i == 1:
-                third = _greater(third, work[0, size + SLOPE])
+                third = greater(third, work[0, size + SLOPE])
             d1_there, d2_there = _size(d1[i + 1, part]), _size(d2[i + 1, part])
-            high, low = _greater(d2_here, d2_there), _lesser(d2_here, d2_there)
-            first = _greater(d1_here, d1_there)
+            high, low = greater(d2_here, d2_there), lesser(d2_here, d2_there)
+            first = greater(d1_here, d1_there)
             between = first if unit != 0.0 else first + 0.125 * h * h * third
-            _split(bounds, 0, i, part, between, high + off, third, _greater(low - off, 0.0), unit)
+            _split(bounds, 0, i, part, between, high + off, third, greater(low - off, 0.0), unit)
             _split(bounds, SEEN, i, part, first, high, steep, low, unit)
             d1_here, d2_here = d1_there, d2_there
     for i in range(last + 1):
         most = np.inf
         for part in range(units.shape[0]):
-            most = _lesser(most, limits[0, part] / _greater(bounds[SEEN, i, part], TINY))
+            most = lesser(most, limits[0, part] / greater(bounds[SEEN, i, part], TINY))
         speeds[i] = _fastest(bounds, 0, i, limits)
         costs = speeds[i] < CLOSE * most and _is_slower(speeds[i] / CLOSE, bounds, i, limits)
         loose[i] = 1.0 if costs else 0.0
@@ -197,7 +197,7 @@ def _split(
         unit: 1.0 where the size of the first derivative of the part is 1 everywhere, else 0.0.
     """
     square = second * second
-    rest = sqrt(_greater(third * third - (least * least) * (least * least), 0.0))
+    rest = sqrt(greater(third * third - (least * least) * (least * least), 0.0))
     bounds[row + D1, i, part] = first
     if unit != 0.0:
         bounds[row + ALONG, i, part], bounds[row + ALONG + 1, i, part] = 0.0, square
@@ -218,7 +218,7 @@ def _fastest(bounds: Array, row: int, i: int, limits: Array) -> float:
             return sqrt(square)
         if other < APART * one:
             return float(np.cbrt(cube))
-    return _lesser(sqrt(square), float(np.cbrt(cube)))
+    return lesser(sqrt(square), float(np.cbrt(cube)))
 
 
 def _is_slower(speed: float, bounds: Array, i: int, limits: Array) -> bool:
@@ -233,8 +233,8 @@ def _powers(bounds: Array, row: int, i: int, limits: Array) -> tuple[float, floa
     for part in range(bounds.shape[2]):
         second = _length(bounds[row + ALONG, i, part], bounds[row + ACROSS, i, part])
         third = _length(bounds[row + ALONG + 1, i, part], bounds[row + ACROSS + 1, i, part])
-        square = _lesser(square, SHARE * limits[1, part] / _greater(second, TINY))
-        cube = _lesser(cube, SHARE * limits[2, part] / _greater(third, TINY))
+        square = lesser(square, SHARE * limits[1, part] / greater(second, TINY))
+        cube = lesser(cube, SHARE * limits[2, part] / greater(third, TINY))
     return square, cube
 
 
@@ -245,11 +245,11 @@ def _length(along: float, across: float) -> float:
     return hypot(along, across)
 
 
-def _greater(one: float, other: float) -> float:
+def greater(one: float, other: float) -> float:
     """Return the greater number; NaN stays NaN."""
     return one if one > other or isnan(one) else other
 
 
-def _lesser(one: float, other: float) -> float:
+def lesser(one: float, other: float) -> float:
     """Return the lesser number; NaN stays NaN."""
     return one if one < other or isnan(one) else other

@@ -3,12 +3,20 @@
 NaN stays NaN: a path that turns back in a point has NaN bounds.
 """
 
-from math import isnan, sqrt
+from math import sqrt
 
 import numpy as np
 
 from ropsim.codegen import Array1, Array2, Array3, kernel
-from ropsim.planning.path_limits.derivative_bounds_kernel import ACROSS, ALONG, D1, TINY, speeds_within
+from ropsim.planning.path_limits.derivative_bounds_kernel import (
+    ACROSS,
+    ALONG,
+    D1,
+    TINY,
+    greater,
+    lesser,
+    speeds_within,
+)
 from ropsim.spatial import Array
 
 MIXED = 0.5
@@ -48,7 +56,7 @@ def bent_limits(
     for i in range(bounds.shape[1]):
         slow = share * speeds[i]
         for part in range(bounds.shape[2]):
-            slow = _lesser(slow, limits[0, part] / _greater(bounds[D1, i, part], TINY))
+            slow = lesser(slow, limits[0, part] / greater(bounds[D1, i, part], TINY))
         speeds[i] = slow
     _write_bounds(bounds, limits, speeds, cells)
     result[0] = _join_alike(lengths, cells, out)
@@ -70,10 +78,10 @@ def straight_limits(
     """
     v, a, j = np.inf, np.inf, np.inf
     for part in range(d1.shape[0]):
-        size = _greater(d1[part], TINY)
-        v = _lesser(v, speed[part] / size)
-        a = _lesser(a, acceleration[part] / size)
-        j = _lesser(j, jerk[part] / size)
+        size = greater(d1[part], TINY)
+        v = lesser(v, speed[part] / size)
+        a = lesser(a, acceleration[part] / size)
+        j = lesser(j, jerk[part] / size)
     out[0, 0], out[0, 1], out[0, 2], out[0, 3] = length, v, a, j
 
 
@@ -90,22 +98,22 @@ def _write_bounds(bounds: Array, limits: Array, speeds: Array, out: Array) -> No
         v, a, j = speeds[i], np.inf, np.inf
         cube = v * v * v
         for part in range(bounds.shape[2]):
-            d1 = _greater(bounds[D1, i, part], TINY)
+            d1 = greater(bounds[D1, i, part], TINY)
             second, second_across = bounds[ALONG, i, part], bounds[ACROSS, i, part]
             most, jerk = limits[1, part], limits[2, part]
             along, across = bounds[ALONG + 1, i, part] * cube, bounds[ACROSS + 1, i, part] * cube
             bent = second_across * (v * v)
-            remaining = sqrt(_greater(most * most - bent * bent, 0.0)) - second * (v * v)
-            left = MIXED * (sqrt(_greater(jerk * jerk - across * across, 0.0)) - along)
-            rest = sqrt(_greater(jerk * jerk - (along + left) * (along + left), 0.0)) - across
-            mixed = _lesser(left / _greater(second * v, TINY), rest / _greater(second_across * v, TINY))
-            a = _lesser(a, _lesser(remaining / d1, mixed / 3.0))
+            remaining = sqrt(greater(most * most - bent * bent, 0.0)) - second * (v * v)
+            left = MIXED * (sqrt(greater(jerk * jerk - across * across, 0.0)) - along)
+            rest = sqrt(greater(jerk * jerk - (along + left) * (along + left), 0.0)) - across
+            mixed = lesser(left / greater(second * v, TINY), rest / greater(second_across * v, TINY))
+            a = lesser(a, lesser(remaining / d1, mixed / 3.0))
         for part in range(bounds.shape[2]):
-            d1, jerk = _greater(bounds[D1, i, part], TINY), limits[2, part]
+            d1, jerk = greater(bounds[D1, i, part], TINY), limits[2, part]
             along, across = bounds[ALONG + 1, i, part] * cube, bounds[ACROSS + 1, i, part] * cube
             across += 3.0 * bounds[ACROSS, i, part] * v * a
             along += 3.0 * bounds[ALONG, i, part] * v * a
-            j = _lesser(j, (sqrt(_greater(jerk * jerk - across * across, 0.0)) - along) / d1)
+            j = lesser(j, (sqrt(greater(jerk * jerk - across * across, 0.0)) - along) / d1)
         out[i, 0], out[i, 1], out[i, 2] = v, a, j
 
 
@@ -140,13 +148,3 @@ def _join_alike(lengths: Array, bounds: Array, out: Array) -> int:
             out[row, 1 + kind] = min(out[row, 1 + kind], bounds[i, kind])
             out[row, 4 + kind] = max(out[row, 4 + kind], bounds[i, kind])
     return count
-
-
-def _greater(one: float, other: float) -> float:
-    """Return the greater number; NaN stays NaN."""
-    return one if one > other or isnan(one) else other
-
-
-def _lesser(one: float, other: float) -> float:
-    """Return the lesser number; NaN stays NaN."""
-    return one if one < other or isnan(one) else other

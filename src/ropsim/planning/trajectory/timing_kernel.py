@@ -12,6 +12,7 @@ from ropsim.planning.trajectory.trajectory_kernel import (
     SEGMENT,
     SEGMENTS,
     START,
+    count_before,
 )
 from ropsim.spatial import Array
 
@@ -136,7 +137,7 @@ def ticks_come(
             path_segments[beyond - 1, 1] = ticks
     for m in range(move_ends.shape[0]):
         time = move_ends[m] - slack
-        moves[m] = min(_before(phi, time) + (1 if time > 0.0 else 0), ticks)
+        moves[m] = min(count_before(phi, time) + (1 if time > 0.0 else 0), ticks)
 
 
 def _come(phi: Array, time: float) -> int:
@@ -145,18 +146,6 @@ def _come(phi: Array, time: float) -> int:
     while low < high:
         middle = (low + high) // 2
         if phi[middle] <= time:
-            low = middle + 1
-        else:
-            high = middle
-    return low
-
-
-def _before(phi: Array, time: float) -> int:
-    """Return the number of nominal times before a time."""
-    low, high = 0, phi.shape[0]
-    while low < high:
-        middle = (low + high) // 2
-        if phi[middle] < time:
             low = middle + 1
         else:
             high = middle

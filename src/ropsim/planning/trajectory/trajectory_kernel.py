@@ -75,8 +75,8 @@ def evaluate_trajectory(
     last, before = sections.shape[0] - 1, 0
     for number in range(last + 1):
         section = sections[number]
-        first = _behind(phi, section[START]) if number else 0
-        until = _behind(phi, section[END]) if number < last else phi.shape[0]
+        first = count_before(phi, section[START]) if number else 0
+        until = count_before(phi, section[END]) if number < last else phi.shape[0]
         own = segments[:, int(section[SEGMENT]) : int(section[SEGMENT] + section[SEGMENTS])]
         for begin in range(first, until, AT_ONCE):
             count = min(until - begin, AT_ONCE)
@@ -190,7 +190,7 @@ def _add(
         qdd[j] = qdd[j] + d2[j]
 
 
-def _behind(phi: Array, time: float) -> int:
+def count_before(phi: Array, time: float) -> int:
     """Return the number of nominal times before a time."""
     low, high = 0, phi.shape[0]
     while low < high:
