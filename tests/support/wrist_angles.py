@@ -8,7 +8,7 @@ import numpy as np
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import forward_batch
 from ropsim.model import OrientationMode
-from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
+from ropsim.planning.testing import PlannedMove, planned_move_of
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, with_station
 from support.motion import CELL, LINE, PASS, PUMA, interface_pose

@@ -11,10 +11,7 @@ from ropsim.flow import ModalState
 from ropsim.model import Synchronisation
 from ropsim.motion import SynchronisedJoints
 from ropsim.planning import MotionChain
-from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
-from ropsim.planning.trajectory.sections import sections_of
-from ropsim.planning.trajectory.segments import segments_of
-from ropsim.planning.trajectory.timing import timing_of
+from ropsim.planning.testing import PlannedMove, planned_move_of, sections_of, segments_of, timing_of
 from ropsim.spatial import Array
 from support.cells import chain_of, with_station
 from support.motion import (

@@ -10,7 +10,7 @@ from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.kinematics import posture
 from ropsim.model import OrientationMode, Payload
 from ropsim.planning import MotionChain, Refusal, plan_move
-from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
+from ropsim.planning.testing import PlannedMove, planned_move_of
 from ropsim.spatial import Array, Pose
 from support.carried import carried_cell, commanded, from_plate, to_plate, to_room, tool_poses
 from support.cells import chain_of, with_station

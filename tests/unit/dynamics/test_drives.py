@@ -9,6 +9,7 @@ import pytest
 from ropsim.codegen import Tracer
 from ropsim.codegen.formulas.tracer import reachable
 from ropsim.dynamics import (
+    DriveChain,
     chain_of,
     command_limit,
     drive_fault,
@@ -18,7 +19,6 @@ from ropsim.dynamics import (
     steady_drive,
 )
 from ropsim.dynamics.drives.block import AmplifierBlock, MotorBlock, TransmissionBlock
-from ropsim.dynamics.drives.chain import DriveChain
 from ropsim.dynamics.drives.table import AMPLIFIERS, MOTORS, TRANSMISSIONS
 from ropsim.model import (
     CurrentLimitedAmplifier,

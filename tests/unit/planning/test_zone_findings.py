@@ -3,7 +3,7 @@
 import pytest
 
 from ropsim.flow import ModalState
-from ropsim.planning.blends.blend import Stop
+from ropsim.planning.testing import Stop
 from ropsim.planning.zones import stopped
 from support.motion import FINE, LINE, START, interface_pose, lin
 

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from ropsim.flow import Contact, RunFacts, StationFacts, WayFacts
-from ropsim.simulation.ways.findings import contact_findings
+from ropsim.simulation import contact_findings
 
 HIT = Contact(
     "tool:jaws", "pallet", 1.0, 1.2, -0.002, 1.1, (0.1, 0.2, 0.3), "jaws – pallet", "left", 7, visit=1

@@ -88,8 +88,8 @@ def test_a_worker_that_is_ended_for_its_slowness_is_not_said_to_lack_memory(
 def test_what_happens_to_the_engine_is_told_in_words_of_who_knows_none(
     kind: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    from ropsim.studio.desk.desk import Desk
     from ropsim.studio.desk.tasks import bench
+    from ropsim.studio.testing import Desk
 
     def fails(*_: object) -> None:
         raise RopsimError(kind.at(None, "Prolog ended in the middle of its work: trap in swipl"))

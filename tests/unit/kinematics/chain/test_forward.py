@@ -58,7 +58,7 @@ def test_places_of_tools_are_those_of_their_poses(name: str) -> None:
 def test_the_kernel_does_the_same_without_numba() -> None:
     plain = in_python(forward_rows)
     Q = np.random.default_rng(2).uniform(-3.0, 3.0, (3, 6))
-    from ropsim.kinematics.chain.arrays import chain_arrays
+    from ropsim.kinematics import chain_arrays
 
     chain, out = chain_arrays(PUMA), np.empty((3, 4, 4))
     plain(chain.flat, Q, out, np.empty(POSES))

@@ -8,7 +8,7 @@ import pytest
 
 from ropsim.flow import MoveInstruction
 from ropsim.planning import MotionChain, PathRequest, PlannedPath, Refusal, StandardPathPlanner
-from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
+from ropsim.planning.testing import PlannedMove, planned_move_of
 from ropsim.spatial import Array, Pose
 from support.motion import CHAIN, LINE, START, interface_pose, lin, ptp, shifted
 

@@ -5,15 +5,19 @@ import pytest
 
 from ropsim.flow import ModalState
 from ropsim.motion import Effort, JointBounds, RetimedTrajectory, Ticks, retime
-from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.joint_limits.evaluated import EvaluatedTrajectory, as_bounds_allow
 from ropsim.planning.joint_limits.fitting import fitted
 from ropsim.planning.joint_limits.retiming import retimed
-from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
-from ropsim.planning.trajectory.sections import Section, sections_of
-from ropsim.planning.trajectory.segments import segments_of
-from ropsim.planning.trajectory.timing import timing_of
-from ropsim.planning.trajectory.trajectory import Trajectory
+from ropsim.planning.testing import (
+    ArmBounds,
+    PlannedMove,
+    Section,
+    Trajectory,
+    planned_move_of,
+    sections_of,
+    segments_of,
+    timing_of,
+)
 from ropsim.spatial import Array
 from support.motion import CHAIN, PUMA, RULES, START, interface_pose, lin, shifted
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from ropsim.motion import JointBounds
-from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.joint_limits.joint_imposed import EvaluatedPath, imposed_limits
+from ropsim.planning.testing import ArmBounds
 
 TICK = 1e-2
 

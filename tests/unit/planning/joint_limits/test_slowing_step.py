@@ -4,15 +4,19 @@ import numpy as np
 import pytest
 
 from ropsim.motion import ROUNDING, JointBounds, Ticks
-from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.joint_limits.evaluated import as_bounds_allow
 from ropsim.planning.joint_limits.limit_grid import limit_grid_of
 from ropsim.planning.joint_limits.slowing_step import Aim, slower_section
-from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
-from ropsim.planning.trajectory.sections import Section, sections_of
-from ropsim.planning.trajectory.segments import segments_of
-from ropsim.planning.trajectory.timing import timing_of
-from ropsim.planning.trajectory.trajectory import Trajectory
+from ropsim.planning.testing import (
+    ArmBounds,
+    PlannedMove,
+    Section,
+    Trajectory,
+    planned_move_of,
+    sections_of,
+    segments_of,
+    timing_of,
+)
 from support.motion import CHAIN, PUMA, RULES, START, interface_pose, lin, shifted
 
 TICK = 1e-3

@@ -10,7 +10,7 @@ from ropsim.flow import MotionKind, MoveInstruction, Side, Trigger
 from ropsim.kinematics import Method, solver_of
 from ropsim.model import RobotModel
 from ropsim.planning import MotionChain, MotionPlan, Refusal, plan_move
-from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
+from ropsim.planning.testing import PlannedMove, planned_move_of
 from ropsim.spatial import Array, Pose
 from support.carried import (
     NEST,

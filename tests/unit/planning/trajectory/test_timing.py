@@ -9,10 +9,7 @@ import pytest
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.motion import plan_time_law
 from ropsim.planning.blends.blend import Blend, JointSpaceBlend, Stop, blend_between
-from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
-from ropsim.planning.trajectory.sections import sections_of
-from ropsim.planning.trajectory.segments import segments_of
-from ropsim.planning.trajectory.timing import Timing, timing_of
+from ropsim.planning.testing import PlannedMove, Timing, planned_move_of, sections_of, segments_of, timing_of
 from support.motion import CHAIN, RULES, START, interface_pose, lin, ptp, shifted
 
 HERE = interface_pose(START)

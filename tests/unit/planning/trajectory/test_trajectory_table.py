@@ -10,13 +10,18 @@ from ropsim import robots
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.model import Synchronisation
 from ropsim.motion import JointPath, JointPoints
-from ropsim.planning.blends.blend import Stop, blend_between
 from ropsim.planning.joint_limits.limit_grid import limit_grid_of
-from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of
-from ropsim.planning.trajectory.sections import sections_of
-from ropsim.planning.trajectory.segments import segments_of
-from ropsim.planning.trajectory.timing import Timing, timing_of
-from ropsim.planning.trajectory.trajectory import Trajectory
+from ropsim.planning.testing import (
+    PlannedMove,
+    Stop,
+    Timing,
+    Trajectory,
+    blend_between,
+    planned_move_of,
+    sections_of,
+    segments_of,
+    timing_of,
+)
 from ropsim.planning.trajectory.trajectory_table import trajectory_table
 from ropsim.spatial import Array
 from support.cells import chain_of, one_station
