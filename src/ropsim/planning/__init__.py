@@ -14,7 +14,6 @@ from ropsim.planning.joint_limits.binding import binding_constraints as binding_
 from ropsim.planning.kinds import TOOL_PATHS as TOOL_PATHS
 from ropsim.planning.kinds import PathRequest as PathRequest
 from ropsim.planning.kinds import ToolPathMaker as ToolPathMaker
-from ropsim.planning.motion_sequence import MotionSequence as MotionSequence
 from ropsim.planning.moves.interpolator import StandardInterpolator as StandardInterpolator
 from ropsim.planning.moves.inverse_transform import StandardInverseTransform as StandardInverseTransform
 from ropsim.planning.moves.joint_interpolator import StandardJointInterpolator as StandardJointInterpolator
@@ -32,6 +31,7 @@ from ropsim.planning.records.entities import Sample as Sample
 from ropsim.planning.records.entities import SensorInterface as SensorInterface
 from ropsim.planning.records.motion_chain import MotionChain as MotionChain
 from ropsim.planning.records.motion_plan import MotionPlan as MotionPlan
+from ropsim.planning.records.motion_plan import MotionSequence as MotionSequence
 from ropsim.planning.records.motion_plan import MotionState as MotionState
 from ropsim.planning.records.motion_plan import TimedMove as TimedMove
 from ropsim.planning.records.moving_frames import MovingFrame as MovingFrame

@@ -11,13 +11,12 @@ from ropsim.motion import TIME_LAWS, Infeasible, JointBounds, Ticks, own_law_of
 from ropsim.planning.blends.blend import Blend, Stop, blend_between
 from ropsim.planning.control_ticks import in_ticks, standing
 from ropsim.planning.joint_limits.arm_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
-from ropsim.planning.motion_sequence import MotionSequence
 from ropsim.planning.moves.move_check import check_duration
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.path_limits.path_limits import along_with, joint_path_limits, tool_path_limits
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.motion_chain import MotionChain
-from ropsim.planning.records.motion_plan import MotionPlan, MotionState
+from ropsim.planning.records.motion_plan import MotionPlan, MotionSequence, MotionState
 from ropsim.planning.sequence_checks import (
     beyond_arm,
     check_start,

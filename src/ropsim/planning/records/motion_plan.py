@@ -4,11 +4,12 @@ import numpy as np
 
 from ropsim.core import Diagnostic
 from ropsim.flow import JointReference, MoveInstruction
+from ropsim.model import Payload
 from ropsim.motion import ToolPath
 from ropsim.planning.records.moving_frames import MovingFrame
 from ropsim.planning.records.planned_path import MoveLimits
 from ropsim.planning.records.trigger_ticks import PlannedTrigger
-from ropsim.spatial import Array, Pose, record
+from ropsim.spatial import Array, Pose, frozen, record
 
 
 @record
@@ -116,3 +117,23 @@ class MotionPlan:
     def q_end(self) -> Array:
         """Return the command joint coordinates at its end [rad | m], shape (n,)."""
         return self.moves[-1].q_end
+
+
+@record
+class MotionSequence:
+    """A sequence before it is planned.
+
+    Attributes:
+        moves: in order; all except the last may be blended.
+        q_start: command joint coordinates at its start [rad | m], shape (n,).
+        payload: tool and part as one body.
+        ahead: moves that are known to come behind them, in the posture in which they end.
+    """
+
+    moves: tuple[MoveInstruction, ...]
+    q_start: Array
+    payload: Payload
+    ahead: tuple[MoveInstruction, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "q_start", frozen(self.q_start))
