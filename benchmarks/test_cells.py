@@ -10,10 +10,7 @@ from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
 from ropsim.kinematics import NO_BLOCKS
 from ropsim.model import Cell
-from ropsim.simulation.parts.moment import Moment
-from ropsim.simulation.parts.parts import initial_parts
-from ropsim.simulation.parts.scenery import scenery_of
-from ropsim.simulation.parts.standing import stood
+from ropsim.simulation.testing import Moment, initial_parts, scenery_of, stood
 
 PARTS, ROW = 5000, 70
 ROBOT = '[robot]\nmodel = "puma560"\n'

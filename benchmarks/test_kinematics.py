@@ -9,7 +9,7 @@ import pytest
 from measuring import Measure
 
 import ropsim
-from ropsim.kinematics.solvers.wrists.spherical_wrist import SphericalWristSolver, closed_form
+from ropsim.kinematics.testing import SphericalWristSolver, closed_form
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose
 from support.published_arms import published_arm

@@ -9,7 +9,7 @@ import ropsim
 from ropsim.controller import ClockLimits, ClockState, advance
 from ropsim.flow import JointReference
 from ropsim.model import Payload
-from ropsim.simulation.servo.servo import Servo
+from ropsim.simulation import Servo
 from support.walked_rows import PERIOD, s_curve
 
 ROBOT = ropsim.robots.load("puma560")

@@ -22,11 +22,9 @@ from ropsim.flow import JointReference, ModalState, MotionKind, MoveInstruction,
 from ropsim.kinematics import forward
 from ropsim.model import Cell, Payload
 from ropsim.motion import JointPoints, torques
-from ropsim.motion.retiming.utilisation import utilisation_as_planned, with_torque
-from ropsim.planning import MotionPlan, MotionState, Refusal, plan, plan_move
-from ropsim.planning.joint_limits.arm_limits import arm_bounds
-from ropsim.simulation import Fidelity, KeptPlans, RunOptions
-from ropsim.simulation.servo.servo import Servo
+from ropsim.motion.testing import utilisation_as_planned, with_torque
+from ropsim.planning import MotionPlan, MotionState, Refusal, arm_bounds, plan, plan_move
+from ropsim.simulation import Fidelity, KeptPlans, RunOptions, Servo
 from ropsim.spatial import Array
 from support.cells import chain_of
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from tools import block_words
 
 from ropsim.language import STATEMENT_WORDS
-from ropsim.language.syntax.words import RESERVED
+from ropsim.language.testing import RESERVED
 
 LIST = Path(__file__).parents[2] / "frontend" / "src" / "editor" / "task_words.ts"
 

@@ -18,8 +18,7 @@ from ropsim import icr, language, robots
 from ropsim.calibration import read_trace
 from ropsim.cellfile import read_cell
 from ropsim.core import RopsimError, SourceText
-from ropsim.language.cutting import cuts
-from ropsim.language.cutting.line_kinds import kinds_of
+from ropsim.language.testing import cuts, kinds_of
 from ropsim.lsp.testing import REQUESTS
 from ropsim.records import read_inputs
 from ropsim.workbench import read_robot

@@ -11,9 +11,7 @@ from hypothesis import strategies as st
 from ropsim import icr
 from ropsim.core import SourceText
 from ropsim.language import formatted
-from ropsim.language.syntax.lexer import tokens
-from ropsim.language.syntax.lines import logical_lines
-from ropsim.language.syntax.words import RESERVED
+from ropsim.language.testing import RESERVED, logical_lines, tokens
 from support.characters import ANY
 from support.examples import examples
 from support.manual import DOCS, blocks

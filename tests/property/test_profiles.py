@@ -17,7 +17,7 @@ from ropsim.motion import (
     plan_profile,
     plan_time_law,
 )
-from ropsim.planning.path_limits.path_limits import joint_path_limits, tool_path_limits
+from ropsim.planning.testing import joint_path_limits, tool_path_limits
 from ropsim.spatial import Pose
 from support.examples import examples
 

@@ -15,8 +15,7 @@ from ropsim.flow import Fidelity, Recording, TaskEvent
 from ropsim.icr import Program
 from ropsim.model import WORLD, Cell
 from ropsim.simulation import RunOptions, RunView, run
-from ropsim.simulation.parts.placements import Placements
-from ropsim.simulation.state.cell_run import CellRun
+from ropsim.simulation.testing import CellRun, Placements
 from support.examples import examples
 from support.random_cells import random_cell
 

@@ -6,12 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.language.syntax import words
-from ropsim.language.syntax.fault import Fault
-from ropsim.language.syntax.line import parse_line
-from ropsim.language.syntax.shape_reader import parts_of, reader_of
-from ropsim.language.syntax.shapes import Shapes
-from ropsim.language.syntax.statements import Statement
+from ropsim.language.testing import Fault, Shapes, Statement, parse_line, parts_of, reader_of, words
 from support.examples import examples
 
 FOLDER = Path(__file__).parents[1] / "golden" / "task"

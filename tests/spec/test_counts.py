@@ -5,7 +5,7 @@ import re
 import pytest
 
 from ropsim.robots import catalogue
-from ropsim.tasks.base import library_texts
+from ropsim.tasks.testing import library_texts
 from support.manual import DOCS
 
 PAGES = {"README.md": DOCS.parent / "README.md", "what-it-does.md": DOCS / "explanation" / "what-it-does.md"}

@@ -5,7 +5,7 @@ import re
 import pytest
 
 from ropsim.tasks import Quantity, TaskCall, effect_findings, own_tasks, program_text
-from ropsim.tasks.findings.words import KINDS
+from ropsim.tasks.testing import KINDS
 from support.knowledge import base
 from support.manual import DOCS, Block, blocks
 

@@ -108,7 +108,7 @@ def test_an_example_without_its_wrong_lines_runs_as_it_says(block: Block) -> Non
 
 
 def test_the_manual_names_every_part_that_is_refused_by_name() -> None:
-    from ropsim.language.syntax.words import NOT_YET, NOT_YET_MODIFIERS
+    from ropsim.language.testing import NOT_YET, NOT_YET_MODIFIERS
 
     manual = (DOCS / "reference" / "language.md").read_text("utf-8")
     absent = set(re.findall(r"`([a-z]+)`", manual.split("## Not in this version")[1]))
@@ -118,9 +118,8 @@ def test_the_manual_names_every_part_that_is_refused_by_name() -> None:
 
 def test_the_limits_are_those_of_the_compiler() -> None:
     from ropsim.language import report
-    from ropsim.language.blocks import matching as blocks_module
-    from ropsim.language.check.calls import implicit
-    from ropsim.language.syntax import cursor, lexer, line, lines, text
+    from ropsim.language.testing import cursor, implicit, lexer, line, lines, text
+    from ropsim.language.testing import matching as blocks_module
 
     table = (DOCS / "reference" / "language.md").read_text("utf-8").split("## Limits")[1].split("## Not")[0]
     rows = [row for row in table.splitlines() if row.startswith("|")][2:]

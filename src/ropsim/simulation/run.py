@@ -12,7 +12,7 @@ from ropsim.flow import Recording
 from ropsim.icr import Program
 from ropsim.model import Cell
 from ropsim.simulation.acting import act
-from ropsim.simulation.findings.shared_programs import findings_at
+from ropsim.simulation.findings.checks import findings_at
 from ropsim.simulation.grips.handing import find_pulls
 from ropsim.simulation.recording.record import recording_of
 from ropsim.simulation.state.cell_run import CellRun

@@ -8,8 +8,7 @@ import pytest
 from llvmlite import ir
 
 from ropsim.codegen import Array1, Array2, Array3, columns, kernel
-from ropsim.codegen.vector.column_lines import column_lines
-from ropsim.codegen.vector.lane_functions import LaneFunctions
+from ropsim.codegen.testing import LaneFunctions, column_lines
 from ropsim.spatial import Array
 
 MOST = math.inf

@@ -11,9 +11,7 @@ import numpy as np
 import pytest
 
 from ropsim.codegen import Array1, Array2, Array3, Kernel, StoppedError, bound, kernel
-from ropsim.codegen.machine.door import Call, machine_code_at
-from ropsim.codegen.machine.object_code import NoObjectCodeError
-from ropsim.codegen.machine.signature import REAL, Signature
+from ropsim.codegen.testing import REAL, Call, NoObjectCodeError, Signature, machine_code_at
 from ropsim.spatial import Array
 from support.in_python import in_python
 

@@ -30,8 +30,7 @@ from ropsim.codegen import (
     row_by_row,
     sin,
 )
-from ropsim.codegen.machine import object_code
-from ropsim.codegen.machine.compiled import BOUNDS, CompilingWarning
+from ropsim.codegen.testing import BOUNDS, CompilingWarning, object_code
 from ropsim.spatial import Array
 
 pytestmark = pytest.mark.skipif(not numba_available(), reason="numba is not installed")

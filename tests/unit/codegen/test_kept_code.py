@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from ropsim.codegen import Engine, SourceFunction, load
-from ropsim.codegen.machine.kept_code import GENERATED
+from ropsim.codegen.testing import GENERATED
 from ropsim.core.disk import kept_files
 from ropsim.core.disk.turns import turn
 

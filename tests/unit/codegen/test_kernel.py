@@ -23,9 +23,8 @@ from ropsim.codegen import (
     kernel,
     numba_available,
 )
-from ropsim.codegen.machine.numba_stages import STAGES
-from ropsim.codegen.machine.object_code import MachineCode, MissingNameError
-from ropsim.motion.time_law.time_law_kernel import plan_segments
+from ropsim.codegen.testing import STAGES, MachineCode, MissingNameError
+from ropsim.motion.testing import plan_segments
 from ropsim.spatial import Array
 
 THIRD = 1.0 / 3.0

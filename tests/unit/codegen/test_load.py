@@ -10,10 +10,8 @@ import numpy as np
 import pytest
 
 from ropsim.codegen import Engine, SourceFunction, compiling_reported, load
-from ropsim.codegen.machine.kept_code import GENERATED, kept_address
-from ropsim.codegen.machine.object_code import MachineCode, MissingNameError, unpacked
-from ropsim.codegen.machine.object_code import load as load_code
-from ropsim.codegen.machine.signature import Signature
+from ropsim.codegen.testing import GENERATED, MachineCode, MissingNameError, Signature, kept_address, unpacked
+from ropsim.codegen.testing import load as load_code
 
 SCRIPT = """
 import sys

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from ropsim.codegen import Engine, SourceFunction, load, numba_available
-from ropsim.codegen.load import compiled_functions
-from ropsim.codegen.machine.numba_stages import STAGES
+from ropsim.codegen.testing import STAGES, compiled_functions
 
 pytestmark = pytest.mark.skipif(not numba_available(), reason="numba is not installed")
 

@@ -3,7 +3,7 @@
 import llvmlite.binding as llvm
 import pytest
 
-from ropsim.codegen.machine.object_code import names_from_elsewhere
+from ropsim.codegen.testing import names_from_elsewhere
 
 SOURCE = """
 target triple = "{triple}"

@@ -11,9 +11,7 @@ import numpy as np
 import pytest
 
 from ropsim.codegen import Array1, Array2, Kernel, columns, kernel, numba_available
-from ropsim.codegen.machine import prepared
-from ropsim.codegen.machine.object_code import ENTRY, emit_object, portable_text, with_entry
-from ropsim.codegen.prepare import kernels
+from ropsim.codegen.testing import ENTRY, emit_object, kernels, portable_text, prepared, with_entry
 from ropsim.spatial import Array
 
 pytestmark = pytest.mark.skipif(not numba_available(), reason="numba is not installed")
@@ -47,7 +45,7 @@ def result(function: Callable[..., None]) -> Array:
 
 def prepared_text_of(one: Kernel) -> tuple[str, str]:
     """Return name and text of a kernel for the archive."""
-    from ropsim.codegen.machine.numba_stages import STAGES
+    from ropsim.codegen.testing import STAGES
 
     text = with_entry(*STAGES.llvm_text(one.entry(STAGES)))
     return prepared.prepared_name(one.function.__name__, one.source()), portable_text(text, ENTRY)

@@ -10,8 +10,7 @@ from llvmlite import ir
 
 from ropsim.codegen import Engine, Scalar, Tracer, cos, emit, load, maximum, minimum, sin, sqrt, tanh
 from ropsim.codegen.formulas.emit import _BINARY, _CALLS
-from ropsim.codegen.formulas.tracer import UNARY
-from ropsim.codegen.vector.instructions import Instructions
+from ropsim.codegen.testing import UNARY, Instructions
 
 COUNT = 6
 SPECIAL = (0.0, -0.0, 1.0, -1.0, 0.5, math.inf, -math.inf, math.nan, 5e-324, 1e308)

@@ -20,7 +20,7 @@ from ropsim.flow import JointReference, PathTracking, ToolDirection
 from ropsim.kinematics import forward
 from ropsim.model import CorrectionLimits, Payload
 from ropsim.planning import PLANNED_ACCELERATION, PLANNED_SPEED, Sample, StandardPathCorrector, arm_bounds
-from ropsim.planning.sequence_checks import with_correction
+from ropsim.planning.testing import with_correction
 from ropsim.spatial import Pose
 
 PERIOD = 4e-3

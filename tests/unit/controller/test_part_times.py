@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from ropsim.motion import SampledPath
-from ropsim.planning.postures.part_times_kernel import longest_cell, part_times
+from ropsim.planning.testing import longest_cell, part_times
 from ropsim.spatial import Array
 
 ROUNDING = 1e-12

@@ -10,7 +10,7 @@ from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import forward, forward_batch, jacobian_at, posture
 from ropsim.model import OrientationMode, RobotModel, on_track
 from ropsim.planning import MotionChain
-from ropsim.planning.wrist.wrist_path import WristPath
+from ropsim.planning.testing import WristPath
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, one_station
 from support.motion import (

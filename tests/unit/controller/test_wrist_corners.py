@@ -9,8 +9,7 @@ import pytest
 
 from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.model import Payload
-from ropsim.planning.blends.blend import CartesianBlend, Stop, blend_between
-from ropsim.planning.testing import PlannedMove
+from ropsim.planning.testing import CartesianBlend, PlannedMove, Stop, blend_between
 from ropsim.spatial import Array, Pose
 from support.motion import PUMA, START, planned_stretch, references
 from support.walks import shares

@@ -10,8 +10,7 @@ from ropsim.flow import MotionKind, MoveInstruction
 from ropsim.kinematics import jacobian_at, posture, singular_distances
 from ropsim.model import OrientationMode, PathDefaults, Payload
 from ropsim.motion import Curve, JointPath
-from ropsim.planning.testing import PlannedMove, planned_move_of
-from ropsim.planning.wrist.wrist_path import WristPath
+from ropsim.planning.testing import PlannedMove, WristPath, planned_move_of
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, with_station
 from support.motion import CELL, LINE, PUMA, START, interface_pose, lin, planned, references, refused, shifted

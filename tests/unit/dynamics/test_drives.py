@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from ropsim.codegen import Tracer
-from ropsim.codegen.formulas.tracer import reachable
+from ropsim.codegen.testing import reachable
 from ropsim.dynamics import (
     DriveChain,
     chain_of,

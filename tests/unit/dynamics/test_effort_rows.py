@@ -8,7 +8,7 @@ import pytest
 
 from ropsim import dynamics, robots
 from ropsim.codegen import Engine
-from ropsim.codegen.machine.compiled import compiled
+from ropsim.codegen.testing import compiled
 from ropsim.dynamics import EffortRows, effort_rows, inverse_dynamics
 from ropsim.model import DcMotor, Drive, ElasticGear, Friction, Payload, RobotModel, VoltageAmplifier
 from ropsim.spatial import Array

@@ -21,7 +21,7 @@ from ropsim.kinematics import (
     singular_distances,
     solver_of,
 )
-from ropsim.kinematics.solvers.coupled import plain_arm
+from ropsim.kinematics.testing import plain_arm
 from ropsim.model import Coupling, RobotModel, coupled_limits
 from ropsim.spatial import Array
 

@@ -21,11 +21,15 @@ from ropsim.kinematics import (
     posture,
     solver_of,
 )
-from ropsim.kinematics.chain.jacobian import least_singular_values
-from ropsim.kinematics.solvers.general.elimination import eliminations, steps_of
-from ropsim.kinematics.solvers.general.elimination_roots import starts
-from ropsim.kinematics.solvers.general.six_axis import GeneralSixAxisSolver, recognise
-from ropsim.kinematics.solvers.numeric import numeric
+from ropsim.kinematics.testing import (
+    GeneralSixAxisSolver,
+    eliminations,
+    least_singular_values,
+    numeric,
+    recognise,
+    starts,
+    steps_of,
+)
 from ropsim.model import DhRow, RobotModel
 from ropsim.spatial import Array, Pose
 from support.arms import random_arm

@@ -7,9 +7,7 @@ import pytest
 
 from ropsim import kinematics, robots
 from ropsim.kinematics import IkOptions, IkStatus, Limits, branch, inverse, inverse_batch, posture, solver_of
-from ropsim.kinematics.solvers.eight_rows import EightRows
-from ropsim.kinematics.solvers.wrists import spherical_wrist_kernel
-from ropsim.kinematics.solvers.wrists.spherical_wrist import SphericalWristSolver
+from ropsim.kinematics.testing import EightRows, SphericalWristSolver, spherical_wrist_kernel
 from ropsim.spatial import Array, Pose
 from support.in_python import in_python
 

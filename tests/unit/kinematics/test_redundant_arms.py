@@ -22,7 +22,7 @@ from ropsim.kinematics import (
     redundant_solver_of,
     solver_of,
 )
-from ropsim.kinematics.solvers.offset.swivel import SwivelSolver
+from ropsim.kinematics.testing import SwivelSolver
 from ropsim.model import RobotModel
 from ropsim.robots import load
 from ropsim.spatial import Array, Pose, quaternion

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from ropsim.kinematics import TURN_VARIANTS
-from ropsim.kinematics.solutions.selection_kernel import HEAD, LIMIT_SLACK, SAME, found_size, select
+from ropsim.kinematics.testing import HEAD, LIMIT_SLACK, SAME, found_size, select
 from ropsim.spatial import Array
 
 TURN = 2.0 * pi

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from ropsim import robots
 from ropsim.kinematics import SingularDistances, jacobian, singular_distances, solver_of
-from ropsim.kinematics.solvers.wrists.spherical_wrist import SphericalWristSolver
+from ropsim.kinematics.testing import SphericalWristSolver
 
 PUMA = robots.load("puma560")
 ANGLES = st.lists(st.floats(-3.1, 3.1), min_size=6, max_size=6)

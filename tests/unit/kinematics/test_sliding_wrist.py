@@ -21,7 +21,7 @@ from ropsim.kinematics import (
     posture,
     solver_of,
 )
-from ropsim.kinematics.solvers.numeric import numeric
+from ropsim.kinematics.testing import numeric
 from ropsim.model import DhRow, JointType, RobotModel
 from ropsim.spatial import Array, Pose
 from support.wrist_arms import arm

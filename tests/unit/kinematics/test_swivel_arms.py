@@ -18,9 +18,8 @@ from ropsim.kinematics import (
     joint_frames,
     solver_of,
 )
-from ropsim.kinematics.solvers.axes import COUPLED
-from ropsim.kinematics.solvers.offset import swivel
-from ropsim.kinematics.solvers.offset.swivel import SwivelSolver, closed_form
+from ropsim.kinematics.solvers.offset.swivel import closed_form
+from ropsim.kinematics.testing import COUPLED, SwivelSolver, swivel
 from ropsim.model import Coupling, RobotModel
 from ropsim.spatial import Array, Pose, quaternion
 from support.published_arms import published_arm, random_joints

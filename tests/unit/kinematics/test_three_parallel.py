@@ -21,8 +21,7 @@ from ropsim.kinematics import (
     posture,
     solver_of,
 )
-from ropsim.kinematics.solvers.numeric import numeric
-from ropsim.kinematics.solvers.offset.three_parallel import ThreeParallelSolver
+from ropsim.kinematics.testing import ThreeParallelSolver, numeric
 from ropsim.model import DhRow, RobotModel
 from ropsim.spatial import Array, Pose
 from support.published_arms import published_arm

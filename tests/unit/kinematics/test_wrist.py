@@ -7,8 +7,7 @@ import pytest
 
 from ropsim import robots
 from ropsim.kinematics import Method, classes_missed, forward_batch, inverse_batch, solver_of
-from ropsim.kinematics.solvers.wrists.spherical_wrist import SphericalWristSolver
-from ropsim.kinematics.solvers.wrists.wrist_arm import WristArm
+from ropsim.kinematics.testing import SphericalWristSolver, WristArm
 from ropsim.model import DhRow, JointType, RobotModel
 from support.arms import random_arm
 from support.wrist_arms import all_arms, arm, backward, industrial

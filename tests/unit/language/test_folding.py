@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 import pytest
 
-from ropsim.language.check.scope import fold
+from ropsim.language.testing import fold
 from ropsim.program import Binary, Constant, Program, Unary, ValueType
 from support.outcomes import outcome
 from support.tasks import codes, compiled

@@ -3,7 +3,7 @@
 import pytest
 
 from ropsim.language import formatted
-from ropsim.language.cutting.chunks import chunks
+from ropsim.language.testing import chunks
 
 WRITTEN = """PROGRAM  Foo
 UNITS  mm,deg , mm / s

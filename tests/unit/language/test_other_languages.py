@@ -3,7 +3,7 @@
 import pytest
 
 from ropsim import language
-from ropsim.language.syntax.other_languages import HINTS
+from ropsim.language.testing import HINTS
 from support.tasks import compiled, only
 
 REPLACED = {

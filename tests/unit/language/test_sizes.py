@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 
 from ropsim import icr
-from ropsim.language.report import MAX_HINTS
+from ropsim.language.testing import MAX_HINTS
 from support.tasks import codes, compiled
 from support.work import peak_of, steps_of
 

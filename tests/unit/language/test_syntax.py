@@ -4,9 +4,16 @@ import pytest
 
 from ropsim.core import SourceText
 from ropsim.language import nodes
-from ropsim.language.syntax.line import parse_line
-from ropsim.language.syntax.lines import logical_lines
-from ropsim.language.syntax.statements import Assign, Broken, Call, ContractClause, Motion, TaskHeader
+from ropsim.language.testing import (
+    Assign,
+    Broken,
+    Call,
+    ContractClause,
+    Motion,
+    TaskHeader,
+    logical_lines,
+    parse_line,
+)
 from support.tasks import codes
 
 

@@ -6,8 +6,7 @@ from importlib import import_module
 import pytest
 
 from ropsim import icr, language
-from ropsim.language.blocks.units import of_task
-from ropsim.language.code.main_code import END, START
+from ropsim.language.testing import END, START, of_task
 from ropsim.query import Database, Outcome
 from support.tasks import CELL
 

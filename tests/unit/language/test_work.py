@@ -8,8 +8,7 @@ from typing import Any
 import pytest
 
 from ropsim import language
-from ropsim.language.check.statements import assignments, motions
-from ropsim.language.cutting.chunks import chunks
+from ropsim.language.testing import assignments, chunks, motions
 
 MODERN = """\
 task T{k}(a1: loc, dz: length = {k} mm)

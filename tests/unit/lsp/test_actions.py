@@ -8,9 +8,7 @@ import pytest
 
 from ropsim import icr, language
 from ropsim.flow import Origin
-from ropsim.language.syntax.line import parse_line
-from ropsim.language.syntax.shapes import Shapes
-from ropsim.language.syntax.text import Parsed
+from ropsim.language.testing import Parsed, Shapes, parse_line
 from ropsim.workbench import new_project
 from support.editors import Editor, applied, place, uri_of
 

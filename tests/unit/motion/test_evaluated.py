@@ -4,15 +4,15 @@ import numpy as np
 import pytest
 
 from ropsim.motion import JointBounds, JointPoints, ProfileError
-from ropsim.motion.retiming.evaluated import keeps_torque
-from ropsim.motion.retiming.nominal_time_kernel import (
+from ropsim.motion.testing import (
     AT_ONCE,
     ROWS_OF_LOAD,
     ROWS_OF_RATES,
     beyond_torque,
+    by_real_time,
     evaluate_at,
+    keeps_torque,
 )
-from ropsim.motion.retiming.utilisation_kernel import by_real_time
 from ropsim.spatial import Array
 
 

@@ -3,11 +3,17 @@
 import numpy as np
 import pytest
 
-from ropsim.motion.retiming.attempts import timing_below
-from ropsim.motion.retiming.constraint_kernel import creeping
-from ropsim.motion.retiming.grid import divide, parts_by_joints, parts_by_rate
-from ropsim.motion.retiming.nominal_time import motion_time
-from ropsim.motion.retiming.smooth_rates_kernel import LEAST_RATE, greatest_nearby, windows_last
+from ropsim.motion.testing import (
+    LEAST_RATE,
+    creeping,
+    divide,
+    greatest_nearby,
+    motion_time,
+    parts_by_joints,
+    parts_by_rate,
+    timing_below,
+    windows_last,
+)
 from ropsim.spatial import Array
 
 

@@ -15,11 +15,17 @@ from ropsim.motion import (
     retime,
     time_optimal,
 )
-from ropsim.motion.retiming import utilisation_kernel as strain_kernel
-from ropsim.motion.retiming.binding import binding_constraint, rates_needed
-from ropsim.motion.retiming.fastest import Speeds
-from ropsim.motion.retiming.grid import grid_points_of
-from ropsim.motion.retiming.utilisation import Going, utilisation_as_planned, utilisation_of_rows, with_torque
+from ropsim.motion.testing import (
+    Going,
+    Speeds,
+    binding_constraint,
+    grid_points_of,
+    rates_needed,
+    utilisation_as_planned,
+    utilisation_of_rows,
+    with_torque,
+)
+from ropsim.motion.testing import utilisation_kernel as strain_kernel
 from ropsim.spatial import Array
 from support.motions import Passing, Waves, body
 

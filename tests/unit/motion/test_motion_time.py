@@ -3,9 +3,7 @@
 import numpy as np
 
 from ropsim.motion import NominalTime
-from ropsim.motion.retiming.nominal_time import motion_time, unslowed
-from ropsim.motion.retiming.nominal_time_kernel import timed
-from ropsim.motion.retiming.smooth_rates_kernel import WORK, greatest_nearby, rounded
+from ropsim.motion.testing import WORK, greatest_nearby, motion_time, rounded, timed, unslowed
 
 SMOOTH = 1e-5  # of steps of 1e-6 s with changes of rate below 10 / s
 

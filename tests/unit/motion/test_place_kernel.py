@@ -3,8 +3,17 @@
 import numpy as np
 import pytest
 
-from ropsim.motion.retiming.point_kernel import WORK_ROWS, PointLimits, TimedPoints, lacks_at
-from ropsim.motion.retiming.utilisation_kernel import RATE, SWING, WINDOW, Derivatives, give_up
+from ropsim.motion.testing import (
+    RATE,
+    SWING,
+    WINDOW,
+    WORK_ROWS,
+    Derivatives,
+    PointLimits,
+    TimedPoints,
+    give_up,
+    lacks_at,
+)
 from ropsim.spatial import Array
 
 MORE = 0.01

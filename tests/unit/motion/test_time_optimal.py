@@ -5,7 +5,7 @@ import pytest
 from scipy.optimize import linprog
 
 from ropsim.motion import Infeasible, JointBounds, JointPoints, ProfileError, Quantity, time_optimal
-from ropsim.motion.retiming.fastest_kernel import MOST_FALL, LinearRows, fastest
+from ropsim.motion.testing import MOST_FALL, LinearRows, fastest
 from ropsim.spatial import Array
 from support.in_python import in_python
 from support.motions import Waves, body

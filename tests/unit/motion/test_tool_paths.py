@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from ropsim.motion import JointPoints, PathMotion, no_path_motion
-from ropsim.motion.retiming.tool_paths import steps_allowed
+from ropsim.motion.testing import steps_allowed
 
 INF = np.inf
 

@@ -13,8 +13,7 @@ from ropsim.kinematics import forward_batch
 from ropsim.model import Rates, RobotModel
 from ropsim.motion import Effort, JointBounds, Reference, Ticks, ToolSection, as_planned
 from ropsim.planning import MotionChain, MotionPlan, MotionState, plan
-from ropsim.planning.moves import move_check
-from ropsim.planning.testing import Trajectory
+from ropsim.planning.testing import Trajectory, move_check
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, with_station
 from support.motion import (

@@ -3,8 +3,7 @@
 import pytest
 
 from ropsim.flow import ModalState
-from ropsim.planning.testing import Stop
-from ropsim.planning.zones import stopped
+from ropsim.planning.testing import Stop, stopped
 from support.motion import FINE, LINE, START, interface_pose, lin
 
 TARGET = interface_pose(START)

@@ -18,7 +18,7 @@ from ropsim.kinematics import (
     inverse,
     limit_violations,
 )
-from ropsim.kinematics.solutions.result import NO_AXIS
+from ropsim.kinematics.testing import NO_AXIS
 from ropsim.model import RobotModel, audit, coordinates, coupled_limits, on_track
 from ropsim.planning import MotionPlan, Refusal, plan_move, standard_chain
 from ropsim.spatial import Array, Pose

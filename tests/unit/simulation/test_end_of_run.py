@@ -10,7 +10,7 @@ from ropsim.controller import CompiledLaw, LawTraits
 from ropsim.flow import MoveEvent, Recording
 from ropsim.model import Cell, InputKind, Rates, Signal, Tool
 from ropsim.simulation import DivergedError, Fidelity, RunOptions, run
-from ropsim.simulation.station.settle import SPEED_TIME
+from ropsim.simulation.testing import SPEED_TIME
 from support.cells import one_station, with_station
 from support.compiled import code_of
 

@@ -11,9 +11,7 @@ from ropsim.dynamics import structure_of
 from ropsim.flow import Recording
 from ropsim.model import Payload
 from ropsim.simulation import KeptRuns, Recorder, RunOptions, Servo
-from ropsim.simulation.records.plant import constant
-from ropsim.simulation.servo.kept_drives import KeptDrives, driven_anew
-from ropsim.simulation.servo.log import LogLayout
+from ropsim.simulation.testing import KeptDrives, LogLayout, constant, driven_anew
 from ropsim.workbench import Project, Workspace, open_overlaid, open_project
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

@@ -11,7 +11,7 @@ from ropsim.flow import InputEvent, Interventions, MoveEvent, Recording
 from ropsim.model import Cell, Signal, Tool
 from ropsim.records import with_inputs as with_recorded
 from ropsim.simulation import Fidelity, InputChange, RunOptions, RunView, run
-from ropsim.simulation.state.inputs import usable_inputs, with_inputs
+from ropsim.simulation.testing import usable_inputs, with_inputs
 from ropsim.workbench import environment_of
 from support.cells import one_station, with_station
 

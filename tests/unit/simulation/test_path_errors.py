@@ -3,8 +3,7 @@
 import numpy as np
 
 from ropsim.motion import Arc, Line, arc
-from ropsim.simulation.recording.record import path_errors
-from ropsim.simulation.records.move_span import PathSpan
+from ropsim.simulation.testing import PathSpan, path_errors
 from ropsim.spatial import Pose
 
 ALONG_X = Line(Pose(), Pose(np.array([1.0, 0.0, 0.0])))

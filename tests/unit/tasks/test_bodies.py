@@ -15,10 +15,7 @@ from ropsim.language import LineCache, compile, read, statements
 from ropsim.prolog import Atom, Struct, Term, Var
 from ropsim.spatial import Pose
 from ropsim.tasks import TaskCall, library, program_text, stored_clause, task_text, version_of, words
-from ropsim.tasks.bodies.body_terms import body_terms
-from ropsim.tasks.bodies.body_text import body_lines
-from ropsim.tasks.terms.expression_terms import NoTermError
-from ropsim.tasks.terms.expression_text import NotTextError
+from ropsim.tasks.testing import NoTermError, NotTextError, body_lines, body_terms
 from support.examples import examples
 from support.knowledge import CELL, base
 

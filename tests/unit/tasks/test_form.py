@@ -8,7 +8,7 @@ import pytest
 
 from ropsim.core import Span
 from ropsim.tasks import FormParameter, KnownTask, Layer, TaskError, TaskForm, edited, form_clause, form_of
-from ropsim.tasks.base import library_texts
+from ropsim.tasks.testing import library_texts
 from support.knowledge import base
 
 NOWHERE = Span.whole_line("", 1)

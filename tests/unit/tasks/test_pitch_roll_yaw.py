@@ -24,8 +24,7 @@ from ropsim.tasks import (
     typed_numbers,
     typed_points,
 )
-from ropsim.tasks.terms.point import typed_point
-from ropsim.tasks.world.point_list import points_of, points_text
+from ropsim.tasks.testing import points_of, points_text, typed_point
 
 PUMA = robots.load("puma560")
 SEED, COUNT = 7, 1000

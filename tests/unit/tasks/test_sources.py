@@ -6,7 +6,7 @@ import pytest
 
 from ropsim.core import SourceText
 from ropsim.prolog import Engine, GoalError, Preparation
-from ropsim.tasks.host import SOURCES
+from ropsim.tasks.testing import SOURCES
 
 
 def test_nothing_is_wrong_with_our_own_prolog_and_what_is_wrong_is_told() -> None:

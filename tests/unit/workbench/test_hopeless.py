@@ -6,8 +6,7 @@ import pytest
 
 from ropsim.flow import MoveEvent, Recording
 from ropsim.motion import Arc
-from ropsim.planning.joint_limits import fitting
-from ropsim.planning.joint_limits.evaluated import EvaluatedTrajectory
+from ropsim.planning.testing import EvaluatedTrajectory, fitting
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.workbench import open_project
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from ropsim.core import frozen_dataclass
+from ropsim.core import Span, frozen_dataclass
 from ropsim.flow import Event
 from ropsim.model import RobotModel
 from ropsim.simulation.records.tally import Tally
@@ -32,3 +32,11 @@ class FinishedStation:
     lines: Track
     loads: Track
     events: Sequence[Event]
+
+    def span_of(self, line: int) -> Span | None:
+        """Return the place of a line; None for line 0, which is none of the source."""
+        return Span.whole_line(self.source, line) if line else None
+
+    def span_at(self, tick: int) -> Span | None:
+        """Return the place of the line in force at a control tick."""
+        return self.span_of(int(self.lines.value(tick)))

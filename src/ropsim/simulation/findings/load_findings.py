@@ -2,7 +2,7 @@
 
 from math import isfinite
 
-from ropsim.core import Diagnostic, Span
+from ropsim.core import Diagnostic
 from ropsim.model import RobotModel
 from ropsim.simulation.diagnostics.limit_diagnostics import PAYLOAD_EXCEEDED
 from ropsim.simulation.findings.finished_station import FinishedStation
@@ -13,14 +13,13 @@ SLACK = 1e-9
 
 def load_findings(station: FinishedStation) -> tuple[Diagnostic, ...]:
     """Return S749 at the line with the heaviest load, if it is above the rated payload."""
-    robot, loads, lines, hz = station.robot, station.loads, station.lines, station.hz
+    robot, loads, hz = station.robot, station.loads, station.hz
     if not loads.values or max(loads.values) <= robot.rated_payload * (1.0 + SLACK):
         return ()
     load = max(loads.values)
     tick = loads.ticks[loads.values.index(load)]
-    line = int(lines.value(tick) or lines.value(tick + 1))
     finding = PAYLOAD_EXCEEDED.at(
-        Span.whole_line(station.source, line) if line else None,
+        station.span_at(tick) or station.span_at(tick + 1),
         f"tool and parts have {load:.4g} kg, `{robot.name}` may carry {robot.rated_payload:.4g} kg",
         label=f"at t = {tick / hz:.2f} s",
         hint="take a lighter tool, fewer parts at a time, or an arm with a greater payload",

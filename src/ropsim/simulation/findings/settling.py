@@ -1,6 +1,6 @@
 """The hint that settling after moves takes a good part of the cycle."""
 
-from ropsim.core import Diagnostic, Span
+from ropsim.core import Diagnostic
 from ropsim.flow import SLOW, settling_of
 from ropsim.simulation.diagnostics.run_diagnostics import LONG_SETTLING
 from ropsim.simulation.findings.finished_station import FinishedStation
@@ -15,7 +15,7 @@ def settling_findings(station: FinishedStation) -> tuple[Diagnostic, ...]:
     if settling.share <= SHARE or not settling.slow:
         return ()
     finding = LONG_SETTLING.at(
-        Span.whole_line(station.source, settling.line) if settling.line else None,
+        station.span_of(settling.line),
         f"settling after moves takes {settling.total:.2f} s, {settling.share * 100.0:.1f} % of the cycle "
         f"time; moves that settle longer than {SLOW * 1e3:g} ms: {settling.slow}",
         label=f"longest here: {settling.longest:.3f} s, pass {settling.visit}",

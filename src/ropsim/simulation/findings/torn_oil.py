@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.core import Diagnostic, Span
+from ropsim.core import Diagnostic
 from ropsim.dynamics import structure_of
 from ropsim.simulation.diagnostics.limit_diagnostics import OIL_TORN
 from ropsim.simulation.findings.finished_station import FinishedStation
@@ -23,11 +23,11 @@ def torn_oil(station: FinishedStation) -> tuple[Diagnostic, ...]:
         below, ticks = tally.worst(BELOW + name)
         for at in np.flatnonzero(below > 0.0):
             joint, tick = axes[at], int(ticks[at])
-            line, pressure = int(station.lines.value(tick)), float(least - below[at])
+            pressure = float(least - below[at])
             axis = robot.axis_joints[joint].name
             found.append(
                 OIL_TORN.at(
-                    Span.whole_line(station.source, line) if line else None,
+                    station.span_at(tick),
                     f"{name.replace('pressure_', 'chamber ')} of joint `{axis}` would have come to "
                     f"{pressure / _BAR:.4g} bar, its oil gives way at {least / _BAR:.4g} bar",
                     label=f"at t = {tick / station.hz:.2f} s",

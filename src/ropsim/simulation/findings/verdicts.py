@@ -5,7 +5,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from ropsim.core import Diagnostic, Kind, Span, frozen_dataclass
+from ropsim.core import Diagnostic, Kind, frozen_dataclass
 from ropsim.dynamics import Limit, LimitSort, chain_of
 from ropsim.model import OVERRUN, SPEED_OVERSHOOT, JointType, RobotModel
 from ropsim.simulation.diagnostics.limit_diagnostics import (
@@ -80,12 +80,11 @@ def verdicts(station: FinishedStation) -> tuple[Diagnostic, ...]:
 
     Every control tick counts, whether the recording has a row of it or not.
     """
-    robot, hz, lines = station.robot, station.hz, station.lines
     found = []
-    for check in _checks(robot, station.tally, hz):
+    for check in _checks(station.robot, station.tally, station.hz):
         for at in np.flatnonzero(check.values > check.limits):
             tick = int(check.ticks[at])
-            found.append(_finding(robot, check, int(at), tick / hz, int(lines.value(tick)), station.source))
+            found.append(_finding(station, check, int(at), tick))
     return tuple(found)
 
 
@@ -129,11 +128,12 @@ def _shown(robot: RobotModel, limit: Limit, axis: int) -> _Shown:
     return {kind: (1.0, unit.format(**units)) for kind, units in _UNITS.items()}
 
 
-def _finding(robot: RobotModel, check: _Check, at: int, time: float, line: int, source: str) -> Diagnostic:
+def _finding(station: FinishedStation, check: _Check, at: int, tick: int) -> Diagnostic:
+    robot, time = station.robot, tick / station.hz
     joint, value, limit = check.axes[at], float(check.values[at]), float(check.limits[at])
     scale, unit = check.shown[robot.axis_joints[joint].measure]
     return check.kind.at(
-        Span.whole_line(source, line) if line else None,
+        station.span_at(tick),
         f"{check.quantity} of joint `{robot.axis_joints[joint].name}` reached {value * scale:.4g} {unit}, "
         f"the limit is {limit * scale:.4g} {unit}",
         label=f"at t = {time:.2f} s",

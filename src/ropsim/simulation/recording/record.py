@@ -27,11 +27,10 @@ from ropsim.flow import (
 from ropsim.icr import Program, code_lines, line_contents_of_all, program_id
 from ropsim.kinematics import forward_batch
 from ropsim.motion import Line, enter_distances
-from ropsim.simulation.findings.checks import station_findings
+from ropsim.simulation.findings.checks import findings_at, station_findings
 from ropsim.simulation.findings.consequences import with_causes
 from ropsim.simulation.findings.finished_station import FinishedStation
 from ropsim.simulation.findings.load_findings import has_rated_payloads
-from ropsim.simulation.findings.shared_programs import findings_at
 from ropsim.simulation.parts.arrivals import Arrivals, are_untouched, arrivals
 from ropsim.simulation.recording.channels import (
     correction_channel,

@@ -3,7 +3,7 @@ import io
 import pytest
 
 from ropsim.cli.testing import Progress
-from ropsim.codegen.machine.compiling import begin_compiling
+from ropsim.codegen.testing import begin_compiling
 
 
 class Clock:

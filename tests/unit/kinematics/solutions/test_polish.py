@@ -7,20 +7,21 @@ import pytest
 
 from ropsim.codegen import Compiled
 from ropsim.kinematics import chain_arrays, forward_batch, solver_of
-from ropsim.kinematics.chain.chain_kernel import ROOM, refine_rows
-from ropsim.kinematics.solutions.polish import (
+from ropsim.kinematics.testing import (
     POSE_SLACK,
+    ROOM,
+    SphericalWristSolver,
+    ThreeParallelSolver,
     checked,
     continued,
     nearest_to,
     polished,
     refine,
+    refine_rows,
     shape_of,
+    spherical_wrist,
+    three_parallel,
 )
-from ropsim.kinematics.solvers.offset import three_parallel
-from ropsim.kinematics.solvers.offset.three_parallel import ThreeParallelSolver
-from ropsim.kinematics.solvers.wrists import spherical_wrist
-from ropsim.kinematics.solvers.wrists.spherical_wrist import SphericalWristSolver
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose
 from support.arms import random_arm
@@ -86,7 +87,7 @@ def test_a_search_that_fails_ends_nearer_than_it_began() -> None:
 
 
 def test_the_kernel_does_the_same_without_numba(monkeypatch: pytest.MonkeyPatch) -> None:
-    from ropsim.kinematics.solutions import polish_kernel
+    from ropsim.kinematics.testing import polish_kernel
 
     compiled = polished(CHAIN, T[:3], (Q[:3] + 1e-3)[:, None])
     rows = polish_kernel.polish_rows

@@ -6,9 +6,7 @@ from itertools import accumulate
 import pytest
 
 from ropsim import language
-from ropsim.language.cutting.chunks import chunks
-from ropsim.language.cutting.cuts import ENOUGH, MOST_LINES, REACH
-from ropsim.language.cutting.recut import Cut, recut
+from ropsim.language.testing import ENOUGH, MOST_LINES, REACH, Cut, chunks, recut
 from ropsim.query import Outcome
 from support.tasks import CELL
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from ropsim.motion import Line, OrientationMode, numeric_points, pose_derivatives
-from ropsim.motion.curves.differences import row_derivatives
+from ropsim.motion.testing import row_derivatives
 from ropsim.spatial import Array
 from support.paths import random_pose
 

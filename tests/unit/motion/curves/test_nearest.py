@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial import KDTree
 
-from ropsim.motion.curves.nearest import distances
+from ropsim.motion.testing import distances
 from ropsim.spatial import Array
 
 ROUNDING = 1e-12

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from ropsim.motion.curves.rotation_vector import exponentials, logarithms, rates, turning
+from ropsim.motion.testing import exponentials, logarithms, rates, turning
 from ropsim.spatial import Array
 from support.paths import difference
 

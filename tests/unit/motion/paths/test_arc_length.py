@@ -5,8 +5,7 @@ import pytest
 from numpy.polynomial import Polynomial
 from scipy.integrate import quad
 
-from ropsim.motion.curves.curve_kernel import speed_range
-from ropsim.motion.paths.arc_length import arc_length, arc_length_in_steps
+from ropsim.motion.testing import arc_length, arc_length_in_steps, speed_range
 from ropsim.spatial import Array
 
 ROUNDING = 1e-13

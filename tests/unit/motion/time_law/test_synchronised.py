@@ -16,7 +16,7 @@ from ropsim.motion import (
     evaluate,
     plan_profile,
 )
-from ropsim.motion.time_law import synchronised_kernel
+from ropsim.motion.testing import synchronised_kernel
 from support.in_python import in_python
 
 ROUNDING = 1e-12  # [rad], of coordinates of a few rad

@@ -20,7 +20,7 @@ from ropsim.motion import (
     plan_profile,
     plan_time_law,
 )
-from ropsim.motion.time_law import law_rows_kernel, law_times_kernel, time_law_kernel
+from ropsim.motion.testing import law_rows_kernel, law_times_kernel, time_law_kernel
 from support.in_python import in_python
 
 ROUNDING = 1e-12  # relative; a handful of float64 operations

@@ -8,8 +8,15 @@ import pytest
 from ropsim.flow import ModalState, MoveInstruction, PoseSetpoints
 from ropsim.kinematics import forward_batch
 from ropsim.motion import ToolPath
-from ropsim.planning.blends.blend import Blend, CartesianBlend, JointSpaceBlend, Stop, blend_between
-from ropsim.planning.testing import PlannedMove, planned_move_of
+from ropsim.planning.testing import (
+    Blend,
+    CartesianBlend,
+    JointSpaceBlend,
+    PlannedMove,
+    Stop,
+    blend_between,
+    planned_move_of,
+)
 from ropsim.spatial import Array, Pose
 from support.motion import CELL, CHAIN, PUMA, START, interface_pose, lin, ptp, shifted
 

@@ -10,9 +10,7 @@ from ropsim.flow import ModalState, MotionKind, MoveInstruction
 from ropsim.kinematics import forward, forward_batch
 from ropsim.motion import Line, ToolPoints
 from ropsim.planning import MotionState, Refusal, plan
-from ropsim.planning.blends.joined_ends import joined_to
-from ropsim.planning.moves.path_following import follow_path
-from ropsim.planning.records.sampling import SMOOTH
+from ropsim.planning.testing import SMOOTH, follow_path, joined_to
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, one_station
 

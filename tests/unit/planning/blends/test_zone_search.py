@@ -13,7 +13,7 @@ from ropsim.motion import (
     SampledPath,
     SynchronisedJoints,
 )
-from ropsim.planning.blends.zone_search import tcp_path_of
+from ropsim.planning.testing import tcp_path_of
 from ropsim.spatial import Array, Pose
 
 ROUNDING = 1e-10  # of the length of the path; zones are found to 1e-8 of them

@@ -8,7 +8,7 @@ import pytest
 from ropsim.flow import JointSamples
 from ropsim.motion import JointPath, JointPoints
 from ropsim.planning import MotionPlan, Refusal, StandardJointInterpolator, plan_move
-from ropsim.planning.entity_checks.path_derivatives import wrong_joint_derivatives
+from ropsim.planning.testing import wrong_joint_derivatives
 from ropsim.spatial import Array
 from support.motion import CHAIN, START, interface_pose, lin, shifted
 

@@ -18,8 +18,7 @@ from ropsim.planning import (
     plan,
     plan_move,
 )
-from ropsim.planning.entity_checks.path_derivatives import wrong_tool_derivatives
-from ropsim.planning.entity_checks.path_faults import faults_of_tool_path
+from ropsim.planning.testing import faults_of_tool_path, wrong_tool_derivatives
 from ropsim.spatial import Array, Pose
 from support.motion import CHAIN, LINE, START, interface_pose, lin, shifted
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from ropsim import robots
 from ropsim.kinematics import forward_batch
-from ropsim.planning.joint_limits.binding_kernel import (
+from ropsim.planning.testing import (
     Reached,
     four_in_sequence,
     limits_reached,

@@ -5,15 +5,16 @@ import pytest
 
 from ropsim.flow import ModalState
 from ropsim.motion import Effort, JointBounds, RetimedTrajectory, Ticks, retime
-from ropsim.planning.joint_limits.evaluated import EvaluatedTrajectory, as_bounds_allow
-from ropsim.planning.joint_limits.fitting import fitted
-from ropsim.planning.joint_limits.retiming import retimed
 from ropsim.planning.testing import (
     ArmBounds,
+    EvaluatedTrajectory,
     PlannedMove,
     Section,
     Trajectory,
+    as_bounds_allow,
+    fitted,
     planned_move_of,
+    retimed,
     sections_of,
     segments_of,
     timing_of,

@@ -6,9 +6,15 @@ import numpy as np
 import pytest
 
 from ropsim.motion import JointBounds, Quantity
-from ropsim.planning.joint_limits.joint_imposed import EvaluatedPath, JointImposedLimits, imposed_limits
-from ropsim.planning.joint_limits.joint_imposed_kernel import ACCELERATION, JERK, SPEED
-from ropsim.planning.testing import ArmBounds
+from ropsim.planning.testing import (
+    ACCELERATION,
+    JERK,
+    SPEED,
+    ArmBounds,
+    EvaluatedPath,
+    JointImposedLimits,
+    imposed_limits,
+)
 from ropsim.spatial import Array
 
 TICK = 1e-3

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from ropsim.motion import JointBounds
-from ropsim.planning.joint_limits.joint_imposed import EvaluatedPath, imposed_limits
-from ropsim.planning.testing import ArmBounds
+from ropsim.planning.testing import ArmBounds, EvaluatedPath, imposed_limits
 
 TICK = 1e-2
 

@@ -6,11 +6,19 @@ import numpy as np
 import pytest
 
 from ropsim.motion import JointSection, PathLimits, Quantity
-from ropsim.planning.joint_limits.joint_imposed import JointImposedLimits
-from ropsim.planning.joint_limits.joint_imposed_kernel import ACCELERATION, SPEED
-from ropsim.planning.joint_limits.limit_grid import LimitGrid, limit_grid_of
-from ropsim.planning.testing import PlannedMove, planned_move_of, segments_of
-from ropsim.planning.trajectory.sections import Section, section_of, sections_of
+from ropsim.planning.testing import (
+    ACCELERATION,
+    SPEED,
+    JointImposedLimits,
+    LimitGrid,
+    PlannedMove,
+    Section,
+    limit_grid_of,
+    planned_move_of,
+    section_of,
+    sections_of,
+    segments_of,
+)
 from support.motion import CHAIN, RULES, START, interface_pose, lin, shifted
 
 

@@ -4,34 +4,33 @@ import numpy as np
 import pytest
 
 from ropsim.motion import TimeLaw, jerk_limited
-from ropsim.planning.joint_limits.exceeding_kernel import (
-    AtTicks,
-    ReferenceRows,
-    SectionLaw,
-    evaluate_section,
-    exceeding,
-)
-from ropsim.planning.joint_limits.grid_lines_kernel import (
-    MOST_PARTS,
-    STEEP,
-    GridLines,
-    SectionTimes,
-    cell_times,
-    lay_grid,
-)
-from ropsim.planning.joint_limits.grid_reach_kernel import MOST_LONGER, NEIGHBOURS, reach_of
-from ropsim.planning.joint_limits.limit_grid_kernel import (
+from ropsim.planning.testing import (
     FIRST_STEP,
+    MOST_LONGER,
+    MOST_PARTS,
+    NEIGHBOURS,
     SECOND_STEP,
+    STEEP,
     THIRD_STEP,
+    AtTicks,
     GridBounds,
+    GridLines,
+    GridNumbers,
     ImposedNumbers,
     LoweredBounds,
+    ReferenceRows,
+    SectionLaw,
+    SectionTimes,
+    cell_times,
+    evaluate_section,
+    exceeding,
+    lay_grid,
+    lay_horizons,
     limits_of_cells,
     lower_bounds,
+    reach_of,
+    slowed_spans,
 )
-from ropsim.planning.joint_limits.slowed_sections_kernel import GridNumbers, slowed_spans
-from ropsim.planning.trajectory.timing_kernel import lay_horizons
 from ropsim.spatial import Array
 from support.examples import examples
 

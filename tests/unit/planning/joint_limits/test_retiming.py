@@ -10,7 +10,7 @@ from ropsim.flow import ModalState
 from ropsim.model import Payload
 from ropsim.motion import Effort, JointBounds, Motion, Reference, Ticks, as_planned
 from ropsim.planning import MotionPlan, MotionState, plan
-from ropsim.planning.joint_limits import evaluated, retiming
+from ropsim.planning.testing import evaluated, retiming
 from support.cells import chain_of, one_station
 from support.motion import CHAIN as OF_PUMA
 from support.motion import PUMA, interface_pose, lin, planned_stretch, ptp, shifted

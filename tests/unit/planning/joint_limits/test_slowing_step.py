@@ -4,17 +4,18 @@ import numpy as np
 import pytest
 
 from ropsim.motion import ROUNDING, JointBounds, Ticks
-from ropsim.planning.joint_limits.evaluated import as_bounds_allow
-from ropsim.planning.joint_limits.limit_grid import limit_grid_of
-from ropsim.planning.joint_limits.slowing_step import Aim, slower_section
 from ropsim.planning.testing import (
+    Aim,
     ArmBounds,
     PlannedMove,
     Section,
     Trajectory,
+    as_bounds_allow,
+    limit_grid_of,
     planned_move_of,
     sections_of,
     segments_of,
+    slower_section,
     timing_of,
 )
 from support.motion import CHAIN, PUMA, RULES, START, interface_pose, lin, shifted

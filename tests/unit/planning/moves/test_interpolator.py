@@ -7,7 +7,7 @@ import pytest
 
 from ropsim.motion import Line, ToolPoints
 from ropsim.planning import StandardInterpolator
-from ropsim.planning.moves.interpolator import FEWEST
+from ropsim.planning.testing import FEWEST
 from ropsim.spatial import Array, Pose
 
 SAMPLER = StandardInterpolator()

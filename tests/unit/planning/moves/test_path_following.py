@@ -8,7 +8,7 @@ from ropsim.kinematics import forward, forward_batch
 from ropsim.model import RobotModel
 from ropsim.motion import Arc, Line, OrientationMode, ToolPath, arc
 from ropsim.planning import Refusal
-from ropsim.planning.moves.path_following import follow_path
+from ropsim.planning.testing import follow_path
 from ropsim.robots import default_controller
 from ropsim.spatial import Array
 from support.cells import chain_of, one_station

@@ -13,7 +13,7 @@ from ropsim.flow import ModalState, MoveInstruction
 from ropsim.kinematics import forward, inverse
 from ropsim.motion import JointMotionLimits
 from ropsim.planning import Refusal, plan_move
-from ropsim.planning.records.posture_choice import JointRange, choose
+from ropsim.planning.testing import JointRange, choose
 from ropsim.spatial import Pose
 from support.arms import random_arm
 from support.cells import chain_of, one_station

@@ -11,8 +11,7 @@ from ropsim.kinematics import forward_batch, inverse
 from ropsim.model import RobotModel
 from ropsim.motion import JointLine, Refined, ToolPath
 from ropsim.planning import Interpolator, InverseTransform, Refusal
-from ropsim.planning.records.sampling import MOST_DENSITY
-from ropsim.planning.testing import PlannedMove, planned_move_of
+from ropsim.planning.testing import MOST_DENSITY, PlannedMove, planned_move_of
 from ropsim.spatial import Array, Pose
 from support.motion import CELL, CHAIN, LINE, PUMA, START, interface_pose, lin, ptp, shifted
 from support.walking_arms import chain as chain_of_walker

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from ropsim.motion import JointMotionLimits
-from ropsim.planning.path_limits.derivative_bounds import derivative_bounds_of
-from ropsim.planning.path_limits.derivative_bounds_kernel import ALONG, SIZES, bounds_of
+from ropsim.planning.testing import ALONG, SIZES, bounds_of, derivative_bounds_of
 from ropsim.spatial import Array
 
 LIMITS = JointMotionLimits(np.array([9.0]), np.array([1.0]), np.array([1.0]))

@@ -35,7 +35,7 @@ from ropsim.motion import (
     spline,
 )
 from ropsim.planning import Coordination
-from ropsim.planning.path_limits.path_limits import along_with, joint_path_limits, tool_path_limits
+from ropsim.planning.testing import along_with, joint_path_limits, tool_path_limits
 from ropsim.spatial import Array, Pose
 
 ROUNDING = 1e-12

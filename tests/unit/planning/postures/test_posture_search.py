@@ -10,11 +10,18 @@ import pytest
 from ropsim.flow import ModalState, MoveInstruction, PostureRequest
 from ropsim.kinematics import forward_batch, inverse, posture
 from ropsim.planning import MotionState, Refusal, plan
-from ropsim.planning.postures import posture_search
-from ropsim.planning.postures.path_conflicts import conflict_of, is_narrow, time_of
-from ropsim.planning.records.posture_choice import JointRange, nearest_turns, turned_branches
-from ropsim.planning.sequence_moves import sequence_moves
-from ropsim.planning.testing import PlannedMove, planned_move_of
+from ropsim.planning.testing import (
+    JointRange,
+    PlannedMove,
+    conflict_of,
+    is_narrow,
+    nearest_turns,
+    planned_move_of,
+    posture_search,
+    sequence_moves,
+    time_of,
+    turned_branches,
+)
 from ropsim.spatial import Array, Pose
 from support.motion import CHAIN, PUMA, START, interface_pose, lin, planned_stretch, ptp, references, shifted
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from ropsim.motion import JointMotionLimits
-from ropsim.planning.records.planned_path import move_limits
+from ropsim.planning.testing import move_limits
 from support.motion import CELL, FINE, PUMA
 
 CONTROLLER = replace(CELL.first.controller, speed_override=0.8)

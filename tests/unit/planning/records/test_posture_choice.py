@@ -7,7 +7,7 @@ import pytest
 
 from ropsim import robots
 from ropsim.kinematics import IkOptions, Limits, branches_near, forward, inverse
-from ropsim.planning.records.posture_choice import LIMIT_SLACK, JointRange, nearest_turns
+from ropsim.planning.testing import LIMIT_SLACK, JointRange, nearest_turns
 from ropsim.spatial import Array, Pose
 
 TURN = 2.0 * np.pi

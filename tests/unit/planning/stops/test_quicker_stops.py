@@ -8,8 +8,7 @@ import pytest
 
 from ropsim.model import Payload
 from ropsim.planning import MotionState, plan
-from ropsim.planning.blends.blend import Blend, JointSpaceBlend
-from ropsim.planning.stops.quicker_stops import Span, Times, quicker_stops
+from ropsim.planning.testing import Blend, JointSpaceBlend, Span, Times, quicker_stops
 from support.walking_arms import chain as chain_of_walker
 from support.walks import cost_of_zones, hairpins, random_walk
 

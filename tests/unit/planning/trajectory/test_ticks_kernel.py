@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from ropsim.planning.trajectory.timing_kernel import ticks_come
+from ropsim.planning.testing import ticks_come
 
 SLACK = 1e-9
 

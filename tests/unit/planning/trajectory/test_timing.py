@@ -8,8 +8,18 @@ import pytest
 
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.motion import plan_time_law
-from ropsim.planning.blends.blend import Blend, JointSpaceBlend, Stop, blend_between
-from ropsim.planning.testing import PlannedMove, Timing, planned_move_of, sections_of, segments_of, timing_of
+from ropsim.planning.testing import (
+    Blend,
+    JointSpaceBlend,
+    PlannedMove,
+    Stop,
+    Timing,
+    blend_between,
+    planned_move_of,
+    sections_of,
+    segments_of,
+    timing_of,
+)
 from support.motion import CHAIN, RULES, START, interface_pose, lin, ptp, shifted
 
 HERE = interface_pose(START)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from ropsim.motion import Interval, PiecewiseLaw, plan_time_law
-from ropsim.planning.trajectory.timing_kernel import lay_sections
+from ropsim.planning.testing import lay_sections
 
 ROUNDING = 1e-12
 

@@ -10,19 +10,19 @@ from ropsim import robots
 from ropsim.flow import ModalState, MoveInstruction
 from ropsim.model import Synchronisation
 from ropsim.motion import JointPath, JointPoints
-from ropsim.planning.joint_limits.limit_grid import limit_grid_of
 from ropsim.planning.testing import (
     PlannedMove,
     Stop,
     Timing,
     Trajectory,
     blend_between,
+    limit_grid_of,
     planned_move_of,
     sections_of,
     segments_of,
     timing_of,
+    trajectory_table,
 )
-from ropsim.planning.trajectory.trajectory_table import trajectory_table
 from ropsim.spatial import Array
 from support.cells import chain_of, one_station
 from support.motion import PUMA, RULES, START, interface_pose, lin, ptp, shifted

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from ropsim.simulation.devices.axis_profile import AxisProfile, ProfileSegment, to_rest, to_speed
+from ropsim.simulation.testing import AxisProfile, ProfileSegment, to_rest, to_speed
 from support.examples import examples
 
 NUMBERS = st.floats(-5.0, 5.0)

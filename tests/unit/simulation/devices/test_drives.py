@@ -3,11 +3,7 @@
 import pytest
 
 from ropsim.model import Barrier, BeltDrive, IndexDrive, SwitchDrive
-from ropsim.simulation.devices.axis_profile import AxisProfile
-from ropsim.simulation.devices.belt import Belt
-from ropsim.simulation.devices.device_run import Carried, DriveAction, Driving, Now
-from ropsim.simulation.devices.index import Index
-from ropsim.simulation.devices.switch import Switch
+from ropsim.simulation.testing import AxisProfile, Belt, Carried, DriveAction, Driving, Index, Now, Switch
 
 BELT = BeltDrive(0.5, 2.0, "run", 3.0, Barrier(2.0, "eye"))
 

@@ -3,7 +3,7 @@
 from typing import get_args
 
 from ropsim.model import DeviceDrive
-from ropsim.simulation.devices.table import DRIVINGS
+from ropsim.simulation.testing import DRIVINGS
 
 
 def test_every_kind_of_drive_is_moved_by_something() -> None:

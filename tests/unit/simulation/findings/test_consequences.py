@@ -6,12 +6,7 @@ import pytest
 
 from ropsim.core import Diagnostic, SourceText
 from ropsim.flow import Event, GripEvent, MoveEvent, Origin, ReleaseEvent, SkipEvent
-from ropsim.simulation.diagnostics.part_diagnostics import (
-    NOT_AT_DESTINATION,
-    NOTHING_GRASPED,
-    RELEASED_IN_THE_AIR,
-)
-from ropsim.simulation.findings.consequences import with_causes
+from ropsim.simulation.testing import NOT_AT_DESTINATION, NOTHING_GRASPED, RELEASED_IN_THE_AIR, with_causes
 from ropsim.views import group_findings
 from ropsim.views.testing import below_causes
 

@@ -9,10 +9,7 @@ from ropsim.core import SourceText
 from ropsim.flow import Recording
 from ropsim.model import RobotModel
 from ropsim.simulation import RunOptions, run
-from ropsim.simulation.findings.finished_station import FinishedStation
-from ropsim.simulation.findings.load_findings import load_findings
-from ropsim.simulation.records.tally import Tally
-from ropsim.simulation.records.track import Track
+from ropsim.simulation.testing import FinishedStation, Tally, Track, load_findings
 from ropsim.workbench import environment_of
 
 ARM = robots.load("irb120")

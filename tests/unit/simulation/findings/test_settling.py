@@ -5,10 +5,7 @@ import pytest
 from ropsim import robots
 from ropsim.core import Severity, Span
 from ropsim.flow import Event, MotionKind, MoveEvent, Origin
-from ropsim.simulation.findings.finished_station import FinishedStation
-from ropsim.simulation.findings.settling import settling_findings
-from ropsim.simulation.records.tally import Tally
-from ropsim.simulation.records.track import Track
+from ropsim.simulation.testing import FinishedStation, Tally, Track, settling_findings
 
 DURATION = 100.0
 

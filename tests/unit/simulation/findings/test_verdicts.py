@@ -8,13 +8,16 @@ from ropsim import robots
 from ropsim.core import Diagnostic
 from ropsim.dynamics import Column, Limit, LimitSort, chain_of, structure_of
 from ropsim.model import CurrentLimitedAmplifier, RobotModel, VoltageAmplifier, ideal_drive
-from ropsim.simulation.findings.finished_station import FinishedStation
-from ropsim.simulation.findings.torn_oil import torn_oil
-from ropsim.simulation.findings.verdicts import verdicts
-from ropsim.simulation.records.tally import Tally
-from ropsim.simulation.records.track import Track
-from ropsim.simulation.servo.judged import full_values, judged
-from ropsim.simulation.servo.log import LogLayout
+from ropsim.simulation.testing import (
+    FinishedStation,
+    LogLayout,
+    Tally,
+    Track,
+    full_values,
+    judged,
+    torn_oil,
+    verdicts,
+)
 from ropsim.spatial import Array
 
 ROBOT = robots.load("puma560")

@@ -10,12 +10,17 @@ from ropsim import robots
 from ropsim.flow import Recording, ReleaseEvent
 from ropsim.model import Cell, Device, Gripper, IndexDrive, Part, Signal, Station, Tool
 from ropsim.simulation import Fidelity, RunOptions, run
-from ropsim.simulation.devices.axis_profile import AxisProfile, ProfileSegment
-from ropsim.simulation.grips.handing import CHECKS, find_pulls, take_over
-from ropsim.simulation.parts.placements import Seat
-from ropsim.simulation.state.cell_run import CellRun
-from ropsim.simulation.state.clasp import Clasp
-from ropsim.simulation.station.start import start_run
+from ropsim.simulation.testing import (
+    CHECKS,
+    AxisProfile,
+    CellRun,
+    Clasp,
+    ProfileSegment,
+    Seat,
+    find_pulls,
+    start_run,
+    take_over,
+)
 from ropsim.spatial import Pose
 from ropsim.workbench import environment_of
 

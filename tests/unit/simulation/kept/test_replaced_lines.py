@@ -10,8 +10,7 @@ from ropsim.model import Payload
 from ropsim.motion import JOINT_LIMIT_ON_LINE
 from ropsim.planning import MotionSequence, Refusal
 from ropsim.simulation import KeptPlans
-from ropsim.simulation.kept.replaced_lines import on_lines_of
-from ropsim.simulation.records.planned_sequence import PlannedSequence
+from ropsim.simulation.testing import PlannedSequence, on_lines_of
 from support.cells import one_station
 from support.motion import CHAIN, PUMA, START, interface_pose, lin, ptp, shifted
 

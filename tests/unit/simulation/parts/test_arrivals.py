@@ -11,9 +11,7 @@ from ropsim.kinematics import NO_BLOCKS
 from ropsim.model import Cell, Destination, Gripper, Part, Signal, Sink, Tool
 from ropsim.robots import default_controller, load
 from ropsim.simulation import Fidelity, RunOptions, run
-from ropsim.simulation.parts.arrivals import arrivals
-from ropsim.simulation.parts.moment import Moment
-from ropsim.simulation.parts.parts import initial_parts
+from ropsim.simulation.testing import Moment, arrivals, initial_parts
 from ropsim.spatial import Pose
 from ropsim.views import Style, summarize, terminal_report
 from ropsim.workbench import environment_of

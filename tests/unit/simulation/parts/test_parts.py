@@ -4,9 +4,7 @@ import pytest
 from ropsim import robots
 from ropsim.kinematics import NO_BLOCKS
 from ropsim.model import WORLD, Cell, Gripper, Part, Sink, Tool
-from ropsim.simulation.parts.moment import Moment
-from ropsim.simulation.parts.parts import close_on, initial_parts, payload, release
-from ropsim.simulation.parts.placements import Placements
+from ropsim.simulation.testing import Moment, Placements, close_on, initial_parts, payload, release
 from ropsim.spatial import Pose, fingerprint
 from support.cells import one_station
 

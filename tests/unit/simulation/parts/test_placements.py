@@ -12,10 +12,17 @@ from ropsim.kinematics import NO_BLOCKS, body_poses
 from ropsim.model import BodyKind, Cell, FixedObject, Gripper, Part, Sink, Tool, body_tree
 from ropsim.robots import default_controller, load
 from ropsim.simulation import Fidelity, RunOptions, RunView, run
-from ropsim.simulation.parts.moment import Moment
-from ropsim.simulation.parts.parts import close_on, initial_parts, payload, release
-from ropsim.simulation.parts.placements import Placements, Seat, changes
-from ropsim.simulation.state.cell_run import CellRun
+from ropsim.simulation.testing import (
+    CellRun,
+    Moment,
+    Placements,
+    Seat,
+    changes,
+    close_on,
+    initial_parts,
+    payload,
+    release,
+)
 from ropsim.spatial import Pose
 from ropsim.workbench import environment_of
 from support.cells import one_station

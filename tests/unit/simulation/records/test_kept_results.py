@@ -1,6 +1,6 @@
 """Results within a room: what goes when there is none, and when nobody has asked for long."""
 
-from ropsim.simulation.records.kept_results import KeptResults
+from ropsim.simulation.testing import KeptResults
 
 
 def test_what_is_put_is_found_and_counted() -> None:

@@ -6,7 +6,7 @@ import pytest
 
 from ropsim.core import Span
 from ropsim.flow import Origin, WaitEvent
-from ropsim.simulation.records.polling_wait import PollingWait
+from ropsim.simulation.testing import PollingWait
 
 LINE = Origin(Span.on_line("a.task", 4, 4), 1)
 EVENT = WaitEvent(1.0, 0.5, "left", LINE, pause=0.5, looked=("a", "b"))

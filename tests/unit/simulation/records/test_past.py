@@ -13,8 +13,7 @@ from ropsim.flow import GripEvent, JointReference, Recording, ReleaseEvent
 from ropsim.kinematics import forward
 from ropsim.model import Cell, Rates
 from ropsim.simulation import Fidelity, RunOptions, run
-from ropsim.simulation.records.past import Past
-from ropsim.simulation.station.start import start_run
+from ropsim.simulation.testing import Past, start_run
 from ropsim.spatial import Array
 from ropsim.workbench import environment_of
 

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from ropsim.simulation.records.row_log import RowLog
+from ropsim.simulation.testing import RowLog
 
 
 def filled(slices: list[int], decimation: int, most_rows: int, start: int = 0) -> RowLog:

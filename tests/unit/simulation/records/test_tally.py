@@ -10,9 +10,7 @@ from ropsim import robots
 from ropsim.flow import Recording
 from ropsim.model import Payload, Tool
 from ropsim.simulation import RunOptions, Servo, run
-from ropsim.simulation.records.tally import Tally
-from ropsim.simulation.records.tally_kernel import enter_rows, greatest, peaks
-from ropsim.simulation.servo.judged import full_values
+from ropsim.simulation.testing import Tally, enter_rows, full_values, greatest, peaks
 from ropsim.workbench import environment_of
 from support.cells import one_station
 from support.servo_cases import GOAL, START, part, puma, quintic

@@ -4,7 +4,7 @@ import numpy as np
 
 from ropsim import robots
 from ropsim.kinematics import forward_batch
-from ropsim.simulation.records.tool_frames import ToolFrames
+from ropsim.simulation.testing import ToolFrames
 from ropsim.spatial import Pose, quaternions_from_matrices
 
 ARM = robots.load("puma560")

@@ -1,4 +1,4 @@
-from ropsim.simulation.records.track import Track
+from ropsim.simulation.testing import Track
 
 
 def test_a_value_set_at_a_tick_holds_from_the_period_after_it() -> None:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from ropsim import robots
-from ropsim.codegen.machine.compiled import compiled
+from ropsim.codegen.testing import compiled
 from ropsim.model import ControllerModel, Friction, Payload, RobotModel
 from ropsim.simulation import Servo, ServoState
 from support.dc_drives import dc_motor

@@ -19,7 +19,7 @@ from ropsim.model import (
     ideal_drive,
 )
 from ropsim.simulation import Servo
-from ropsim.simulation.recording.channels import joint_channels
+from ropsim.simulation.testing import joint_channels
 from ropsim.spatial import Array
 from support.arms import MOTOR, drive, random_arm
 from support.servo_cases import controller, quintic, standing

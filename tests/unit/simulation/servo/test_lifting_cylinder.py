@@ -12,10 +12,7 @@ from ropsim.flow import JointReference
 from ropsim.model import CascadedGains, Payload, Rates, RobotModel
 from ropsim.robots.standard_controller import standard_controller
 from ropsim.simulation import Recorder, Servo
-from ropsim.simulation.findings.finished_station import FinishedStation
-from ropsim.simulation.findings.torn_oil import torn_oil
-from ropsim.simulation.records.track import Track
-from ropsim.simulation.servo.judged import BELOW
+from ropsim.simulation.testing import BELOW, FinishedStation, Track, torn_oil
 from support.cylinders import CENTRE, CYLINDER, DRIVE, MASS, lifted
 from support.servo_cases import standing
 

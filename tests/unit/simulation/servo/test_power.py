@@ -5,7 +5,7 @@ import numpy as np
 from ropsim.codegen import Engine, load
 from ropsim.dynamics import arm_numbers, structure_of
 from ropsim.model import DcMotor
-from ropsim.simulation.servo.plant_code import plant_code
+from ropsim.simulation.testing import plant_code
 from support.arms import drive, random_arm
 
 ROUNDING = 1e-9  # powers up to 1e4 W

@@ -7,7 +7,7 @@ from ropsim.codegen import Engine
 from ropsim.dynamics import compiled
 from ropsim.model import Payload
 from ropsim.simulation import OptionError, Servo
-from ropsim.simulation.servo.tick_recorder import TickRecorder
+from ropsim.simulation.testing import TickRecorder
 from support.dc_drives import dc_motor
 from support.servo_cases import GOAL, START, part, puma, quintic, standing
 

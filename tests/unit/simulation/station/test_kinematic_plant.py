@@ -8,8 +8,7 @@ import pytest
 from ropsim import robots
 from ropsim.flow import JointReference
 from ropsim.model import Payload
-from ropsim.simulation.records.plant import constant
-from ropsim.simulation.station.kinematic_plant import KinematicPlant
+from ropsim.simulation.testing import KinematicPlant, constant
 
 ARM = robots.load("scara")
 BEYOND = np.where(np.arange(ARM.n) == 1, ARM.upper_limits + 0.1, ARM.home)

@@ -21,8 +21,7 @@ from ropsim.flow import (
     WaitInstruction,
 )
 from ropsim.icr import Finished
-from ropsim.simulation.records.steps import Step, Steps
-from ropsim.simulation.station.sequences import MOST_AHEAD, ProgramSequence, gather, why_it_ends
+from ropsim.simulation.testing import MOST_AHEAD, ProgramSequence, Step, Steps, gather, why_it_ends
 from support.motion import FINE, lin, ptp
 
 ZONE = ModalState(zone=0.01)

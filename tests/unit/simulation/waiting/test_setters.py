@@ -3,7 +3,7 @@
 import pytest
 
 from ropsim.icr import assemble
-from ropsim.simulation.waiting.setters import BOTH, levels_set
+from ropsim.simulation.testing import BOTH, levels_set
 
 STRAIGHT = ("PUSH BOOL FALSE", "OUT lamp", "HALT")
 JUMPED_TO = ("IN key", "DUP", "JT out", "POP", "PUSH BOOL FALSE", "out:", "OUT lamp", "HALT")

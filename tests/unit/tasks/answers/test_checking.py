@@ -6,7 +6,7 @@ import pytest
 
 from ropsim.prolog import Atom, Struct, Var, write_term
 from ropsim.tasks import Quantity, TaskCall, TaskError, WorldState, fact_words
-from ropsim.tasks.terms.pattern import neighbours, places_in_rows
+from ropsim.tasks.testing import neighbours, places_in_rows
 from support.knowledge import GEOMETRY, base
 
 CELL = WorldState.of("gripper(open)", "at(bolt, s1)", "at(nut, s2)", "free(s3)")

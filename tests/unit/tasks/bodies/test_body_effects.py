@@ -5,8 +5,7 @@ import pytest
 from ropsim.core import Severity
 from ropsim.prolog import Term
 from ropsim.tasks import effect_findings, own_tasks
-from ropsim.tasks.base import library_texts
-from ropsim.tasks.bodies.believed import Believed, Held, Path
+from ropsim.tasks.testing import Believed, Held, Path, library_texts
 from support.knowledge import base
 
 HEAD = "task(fetch(P, L), [params([P-part, L-location]), pre([gripper(open), at(P, L)]),\n"

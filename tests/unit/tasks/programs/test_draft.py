@@ -38,9 +38,7 @@ from ropsim.tasks import (
     version_of,
     world_table,
 )
-from ropsim.tasks.terms.point import point_of_term, term_of_point
-from ropsim.tasks.world.point_list import points_of, points_text
-from ropsim.tasks.world.world_state import ordered
+from ropsim.tasks.testing import ordered, point_of_term, points_of, points_text, term_of_point
 from support.knowledge import CELL, GEOMETRY, base, last
 
 BEGIN = WorldState.of("gripper(open)", "at(bolt, s1)", "free(s2)")

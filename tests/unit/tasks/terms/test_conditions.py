@@ -4,8 +4,7 @@ import pytest
 
 from ropsim.core import SourceText
 from ropsim.tasks import KnowledgeBase, WorldState, words
-from ropsim.tasks.terms import conditions
-from ropsim.tasks.terms.conditions import CONDITIONS, Condition, examples, forms
+from ropsim.tasks.testing import CONDITIONS, Condition, conditions, examples, forms
 from support.knowledge import Refusing, base
 
 LIT = Condition(

@@ -15,7 +15,7 @@ from ropsim.kinematics import forward_batch
 from ropsim.model import WORLD, Cell, body_tree
 from ropsim.records import numeric, read_recording, write_recording
 from ropsim.simulation import Fidelity, RunOptions
-from ropsim.simulation.state.cell_run import CellRun
+from ropsim.simulation.testing import CellRun
 from ropsim.views import pack, result_figures, scene, summarize
 from ropsim.views.testing import sample_times
 from ropsim.workbench import Project, open_project, pack_of

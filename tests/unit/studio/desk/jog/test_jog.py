@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from ropsim import icr, robots
 from ropsim.kinematics import forward, posture, solver_of
-from ropsim.kinematics.solvers.wrists.spherical_wrist import SphericalWristSolver
+from ropsim.kinematics.testing import SphericalWristSolver
 from ropsim.model import ROBOT, Tool
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Pose, frozen

@@ -1,0 +1,32 @@
+"""Door for tests: names behind the front of the package. Production code does not import it."""
+
+from ropsim.codegen.formulas.tracer import UNARY as UNARY
+from ropsim.codegen.formulas.tracer import reachable as reachable
+from ropsim.codegen.load import compiled_functions as compiled_functions
+from ropsim.codegen.machine import object_code as object_code
+from ropsim.codegen.machine import prepared as prepared
+from ropsim.codegen.machine.compiled import BOUNDS as BOUNDS
+from ropsim.codegen.machine.compiled import CompilingWarning as CompilingWarning
+from ropsim.codegen.machine.compiled import compiled as compiled
+from ropsim.codegen.machine.compiling import begin_compiling as begin_compiling
+from ropsim.codegen.machine.door import Call as Call
+from ropsim.codegen.machine.door import machine_code_at as machine_code_at
+from ropsim.codegen.machine.kept_code import GENERATED as GENERATED
+from ropsim.codegen.machine.kept_code import kept_address as kept_address
+from ropsim.codegen.machine.numba_stages import STAGES as STAGES
+from ropsim.codegen.machine.object_code import ENTRY as ENTRY
+from ropsim.codegen.machine.object_code import MachineCode as MachineCode
+from ropsim.codegen.machine.object_code import MissingNameError as MissingNameError
+from ropsim.codegen.machine.object_code import NoObjectCodeError as NoObjectCodeError
+from ropsim.codegen.machine.object_code import emit_object as emit_object
+from ropsim.codegen.machine.object_code import load as load
+from ropsim.codegen.machine.object_code import names_from_elsewhere as names_from_elsewhere
+from ropsim.codegen.machine.object_code import portable_text as portable_text
+from ropsim.codegen.machine.object_code import unpacked as unpacked
+from ropsim.codegen.machine.object_code import with_entry as with_entry
+from ropsim.codegen.machine.signature import REAL as REAL
+from ropsim.codegen.machine.signature import Signature as Signature
+from ropsim.codegen.prepare import kernels as kernels
+from ropsim.codegen.vector.column_lines import column_lines as column_lines
+from ropsim.codegen.vector.instructions import Instructions as Instructions
+from ropsim.codegen.vector.lane_functions import LaneFunctions as LaneFunctions

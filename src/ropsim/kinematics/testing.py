@@ -1,0 +1,37 @@
+"""Door for tests: names behind the front of the package. Production code does not import it."""
+
+from ropsim.kinematics.chain.chain_kernel import ROOM as ROOM
+from ropsim.kinematics.chain.chain_kernel import refine_rows as refine_rows
+from ropsim.kinematics.chain.jacobian import least_singular_values as least_singular_values
+from ropsim.kinematics.solutions import polish_kernel as polish_kernel
+from ropsim.kinematics.solutions.polish import POSE_SLACK as POSE_SLACK
+from ropsim.kinematics.solutions.polish import checked as checked
+from ropsim.kinematics.solutions.polish import continued as continued
+from ropsim.kinematics.solutions.polish import nearest_to as nearest_to
+from ropsim.kinematics.solutions.polish import polished as polished
+from ropsim.kinematics.solutions.polish import refine as refine
+from ropsim.kinematics.solutions.polish import shape_of as shape_of
+from ropsim.kinematics.solutions.result import NO_AXIS as NO_AXIS
+from ropsim.kinematics.solutions.selection_kernel import HEAD as HEAD
+from ropsim.kinematics.solutions.selection_kernel import LIMIT_SLACK as LIMIT_SLACK
+from ropsim.kinematics.solutions.selection_kernel import SAME as SAME
+from ropsim.kinematics.solutions.selection_kernel import found_size as found_size
+from ropsim.kinematics.solutions.selection_kernel import select as select
+from ropsim.kinematics.solvers.axes import COUPLED as COUPLED
+from ropsim.kinematics.solvers.coupled import plain_arm as plain_arm
+from ropsim.kinematics.solvers.eight_rows import EightRows as EightRows
+from ropsim.kinematics.solvers.general.elimination import eliminations as eliminations
+from ropsim.kinematics.solvers.general.elimination import steps_of as steps_of
+from ropsim.kinematics.solvers.general.elimination_roots import starts as starts
+from ropsim.kinematics.solvers.general.six_axis import GeneralSixAxisSolver as GeneralSixAxisSolver
+from ropsim.kinematics.solvers.general.six_axis import recognise as recognise
+from ropsim.kinematics.solvers.numeric import numeric as numeric
+from ropsim.kinematics.solvers.offset import swivel as swivel
+from ropsim.kinematics.solvers.offset import three_parallel as three_parallel
+from ropsim.kinematics.solvers.offset.swivel import SwivelSolver as SwivelSolver
+from ropsim.kinematics.solvers.offset.three_parallel import ThreeParallelSolver as ThreeParallelSolver
+from ropsim.kinematics.solvers.wrists import spherical_wrist as spherical_wrist
+from ropsim.kinematics.solvers.wrists import spherical_wrist_kernel as spherical_wrist_kernel
+from ropsim.kinematics.solvers.wrists.spherical_wrist import SphericalWristSolver as SphericalWristSolver
+from ropsim.kinematics.solvers.wrists.spherical_wrist import closed_form as closed_form
+from ropsim.kinematics.solvers.wrists.wrist_arm import WristArm as WristArm
