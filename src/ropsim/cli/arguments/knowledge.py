@@ -74,9 +74,9 @@ def _program_name(text: str) -> str:
     """Return a name that a program can have."""
     if not re.fullmatch(r"[A-Za-z]\w*", text, re.ASCII):
         raise argparse.ArgumentTypeError(f"`{text}` is no name: a letter, then letters, digits, `_`")
-    from ropsim.language import INNER_WORDS, STATEMENT_WORDS
+    from ropsim.language import RESERVED_WORDS
 
-    if text.lower() in INNER_WORDS | STATEMENT_WORDS:
+    if text.lower() in RESERVED_WORDS:
         raise argparse.ArgumentTypeError(f"`{text}` is a word of the task language; take another name")
     return text
 

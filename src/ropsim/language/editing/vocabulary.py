@@ -13,6 +13,9 @@ STATEMENT_WORDS = (HEADS - NOT_YET) | {END}
 INNER_WORDS = RESERVED - HEADS
 """Words that stand inside statements and cannot be names."""
 
+RESERVED_WORDS = RESERVED | NOT_YET | {END}
+"""Words that are offered for no name, those of later versions included."""
+
 LOCATION_WORDS = frozenset([EXTERNAL])
 """Words that stand behind a location only and may be names elsewhere."""
 

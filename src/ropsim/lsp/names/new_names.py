@@ -3,7 +3,7 @@
 import re
 
 from ropsim.core import SourceText
-from ropsim.language import FUNCTIONS, INNER_WORDS, STATEMENT_WORDS, Meaning, Space, Uses
+from ropsim.language import FUNCTIONS, RESERVED_WORDS, Meaning, Space, Uses
 from ropsim.lsp.names.found_name import FoundName
 from ropsim.lsp.protocol.document import Document
 from ropsim.lsp.protocol.messages import Refusal
@@ -30,7 +30,7 @@ def wrong(new: str, found: FoundName) -> Refusal | None:
         return Refusal(f"`{new}` is no name: letters, digits and `_`, and no digit first")
     if len(new) > LONGEST:
         return Refusal(f"a name has at most {LONGEST} characters")
-    if new.lower() in STATEMENT_WORDS | INNER_WORDS:
+    if new.lower() in RESERVED_WORDS:
         return Refusal(f"`{new}` is a word of the language")
     if new.lower() in FUNCTIONS:
         return Refusal(f"`{new}` is a function of the language")

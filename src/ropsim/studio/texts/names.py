@@ -19,10 +19,10 @@ def is_new_name(name: str) -> bool:
 
 def reserved(name: str) -> str | None:
     """Return the word of the task language that a new program would be called; None where it is none."""
-    from ropsim.language import INNER_WORDS, STATEMENT_WORDS
+    from ropsim.language import RESERVED_WORDS
 
     found = re.fullmatch(r"programs/(\w+)\.task", name)
-    return found[1] if found and found[1].lower() in INNER_WORDS | STATEMENT_WORDS else None
+    return found[1] if found and found[1].lower() in RESERVED_WORDS else None
 
 
 def named_program(cell: str) -> str:

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Mapping
 
-from ropsim.language import FUNCTIONS, INNER_WORDS, STATEMENT_WORDS, UNIT_WORDS
+from ropsim.language import FUNCTIONS, RESERVED_WORDS, UNIT_WORDS
 from ropsim.prolog import Atom, Struct, Term, Var, write_term
 
 OR, AND, NOT, COMPARISON, SUM, PRODUCT, SIGN, ATOM = range(8)
@@ -171,7 +171,4 @@ def short_text(number: int | float) -> str:
 
 def is_reserved(name: str) -> bool:
     """Return whether a name is a word or a unit of the task language."""
-    return name.lower() in _RESERVED or name in UNIT_WORDS or name.lower() in FUNCTIONS
-
-
-_RESERVED = STATEMENT_WORDS | INNER_WORDS
+    return name.lower() in RESERVED_WORDS or name in UNIT_WORDS or name.lower() in FUNCTIONS

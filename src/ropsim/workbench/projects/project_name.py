@@ -5,7 +5,7 @@ import unicodedata
 from pathlib import Path
 
 from ropsim.core import read_bytes
-from ropsim.language import INNER_WORDS, STATEMENT_WORDS
+from ropsim.language import RESERVED_WORDS
 
 LONGEST = 60
 """Longest name that is made from the name of a folder [characters]."""
@@ -24,7 +24,7 @@ def name_from_folder(folder: str) -> str:
     """
     plain = unicodedata.normalize("NFKD", folder).encode("ascii", "ignore").decode()
     name = re.sub(r"_+", "_", re.sub(r"\W", "_", plain, flags=re.ASCII)).strip("_")[:LONGEST].strip("_")
-    taken = name.lower() in INNER_WORDS | STATEMENT_WORDS
+    taken = name.lower() in RESERVED_WORDS
     return f"cell_{name}".rstrip("_") if taken or not name or name[0].isdigit() else name
 
 

@@ -4,6 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from ropsim import language
+from ropsim.language import RESERVED_WORDS
 from ropsim.userfiles import example_names
 from ropsim.workbench import new_project, open_project
 from ropsim.workbench.testing import LONGEST, name_from_folder, name_project
@@ -50,6 +52,13 @@ def test_a_project_in_an_oddly_named_folder_compiles_and_has_its_name(folder: st
     assert code is not None
     assert code.name == name
     assert len(name) <= LONGEST + len("cell_")
+
+
+@pytest.mark.parametrize("word", sorted(RESERVED_WORDS))
+def test_a_folder_named_like_a_word_of_the_language_gives_a_name_that_a_program_may_have(word: str) -> None:
+    name = name_from_folder(word.title())
+    found = language.compile(f"program {name}\n").diagnostics
+    assert not [one for one in found if one.is_error]
 
 
 @pytest.mark.parametrize("example", example_names())
