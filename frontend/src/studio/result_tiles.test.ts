@@ -155,4 +155,5 @@ test('with several stations a figure names its own and leads to the text that th
     source: 'programs/right.task',
     line: 8,
   })
+  expect(tile('settling', {}, run)).toMatchObject({ detail: "10 % of the stations' cycles together" })
 })

@@ -72,7 +72,7 @@ function settling(run: Run, { settling }: ResultFigures): Tile {
     id: 'settling',
     label: words.settling,
     value: formatQuantity(total, 's'),
-    detail: words.ofCycle(percent(share)),
+    detail: run.stations.length > 1 ? words.ofCycles(percent(share)) : words.ofCycle(percent(share)),
     tone: 'plain',
     time,
     source: sourceOf(run, station),

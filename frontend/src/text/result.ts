@@ -15,6 +15,7 @@ export const resultWords = {
   notValid: 'not that of the program',
   settling: 'Settling',
   ofCycle: (share: string) => `${share} of the cycle`,
+  ofCycles: (share: string) => `${share} of the stations' cycles together`,
   torque: 'Peak torque',
   notSimulated: 'not simulated',
   withoutDrives: 'without drives',

@@ -51,5 +51,6 @@ from ropsim.core.span import Span as Span
 from ropsim.core.toml_values import MOST_KEY_PARTS as MOST_KEY_PARTS
 from ropsim.core.toml_values import toml_values as toml_values
 from ropsim.core.words import did_you_mean as did_you_mean
+from ropsim.core.words import edit_distance as edit_distance
 from ropsim.core.words import near as near
 from ropsim.core.words import plural as plural

@@ -137,3 +137,14 @@ def test_any_other_setting_without_effect_is_told_with_an_example_that_compiles(
     found = only(f"{HEAD}{motion} infeed {written}")
     assert (found.code, found.fix) == ("T309", None)
     assert codes(f"{HEAD}{motion} infeed {found.hint.split('`')[1]}") == []
+
+
+@pytest.mark.parametrize(("written", "meant"), [("cn", "cm"), ("degs", "deg"), ("kgg", "kg"), ("nm", "Nm")])
+def test_a_misspelt_unit_is_the_near_one_with_the_same_first_letter(written: str, meant: str) -> None:
+    found = only(f"{HEAD}mov (450, 0, 700) above 60 {written}")
+    assert found.hint == f"did you mean `{meant}`?"
+
+
+@pytest.mark.parametrize("written", ["mn", "kilo", "hz"])
+def test_where_no_unit_or_more_than_one_is_near_all_are_listed(written: str) -> None:
+    assert only(f"{HEAD}mov (450, 0, 700) above 60 {written}").hint.startswith("units are mm/s2 ")

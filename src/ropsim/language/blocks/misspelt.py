@@ -5,8 +5,8 @@ from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Sequence
 from dataclasses import replace
 
+from ropsim.core import edit_distance
 from ropsim.language.blocks.block_ends import ANY, STEERING, closed, opened
-from ropsim.language.blocks.prose import edit_distance
 from ropsim.language.findings import names as kinds
 from ropsim.language.syntax.fault import Fault
 from ropsim.language.syntax.line import LOOP_NAME

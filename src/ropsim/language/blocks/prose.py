@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterable, Iterator
 from dataclasses import replace
 from types import NoneType
 
-from ropsim.core import frozen_dataclass
+from ropsim.core import edit_distance, frozen_dataclass
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.report import Report, finding_of
 from ropsim.language.syntax.fault import Fault
@@ -216,23 +216,3 @@ def _is_near(a: str, b: str) -> bool:
     return (
         abs(len(a) - len(b)) <= 1 and 3 <= len(a) <= 32 and edit_distance(a, b) <= (1 if len(b) <= 4 else 2)
     )
-
-
-def edit_distance(a: str, b: str) -> int:
-    """Return the number of insertions, deletions, replacements and neighbour swaps between two words.
-
-    References:
-        F. J. Damerau, A technique for computer detection and correction of spelling errors, 1964
-        (restricted form: no part is edited twice).
-    """
-    before: list[int] = []
-    last = list(range(len(b) + 1))
-    for i, x in enumerate(a, 1):
-        row = [i]
-        for j, y in enumerate(b, 1):
-            cost = min(last[j] + 1, row[j - 1] + 1, last[j - 1] + (x != y))
-            if i > 1 and j > 1 and x == b[j - 2] and a[i - 2] == y:
-                cost = min(cost, before[j - 2] + 1)
-            row.append(cost)
-        before, last = last, row
-    return last[-1]

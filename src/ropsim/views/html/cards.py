@@ -29,15 +29,19 @@ from ropsim.views.words.figures import (
 Card: TypeAlias = tuple[str, str, str]
 """Name, value and a few words below it."""
 
+OF_CYCLE = "of the cycle time"
+OF_CYCLES = "of the sum of the cycle times"
+"""Reference of shares, of one station and of several together."""
+
 
 def key_figures(summary: Summary) -> str:
     """Return the cards with the key figures of a run."""
     return _cards(
         [
             _cycle_time(summary, summary),
-            *_settling_figure(summary),
+            *_settling_figure(summary, _cycle_words(summary)),
             *(_waiting_figure(summary) if len(summary.stations) == 1 else ()),
-            *_work(summary),
+            *_work(summary, _cycle_words(summary)),
             *_destinations_figure(summary),
             *_device_figures(summary.devices),
             *_path_figure(summary),
@@ -52,9 +56,9 @@ def station_figures(station: StationSummary, summary: Summary) -> str:
     return _cards(
         [
             _cycle_time(station, summary),
-            *_settling_figure(station),
+            *_settling_figure(station, OF_CYCLE),
             *_waiting_figure(station),
-            *_work(station),
+            *_work(station, OF_CYCLE),
             *_path_figure(station),
             *_joint_figures(station.joints),
         ],
@@ -68,11 +72,16 @@ def _cycle_time(figures: Figures, summary: Summary) -> Card:
     return "cycle time", f"{seconds(figures.cycle_time)} s", detail
 
 
-def _work(figures: Figures) -> list[Card]:
+def _cycle_words(summary: Summary) -> str:
+    """Return the time that shares of a whole run refer to."""
+    return OF_CYCLE if len(summary.stations) == 1 else OF_CYCLES
+
+
+def _work(figures: Figures, of_cycle: str) -> list[Card]:
     moves = ", ".join(f"{count} {text(kind)}" for kind, count in figures.moves.items()) or "none"
     empty = f"{figures.empty_grips} empty, " if figures.empty_grips else ""
     return [
-        ("in motion", percent(figures.share_in_motion), "of the cycle time"),
+        ("in motion", percent(figures.share_in_motion), of_cycle),
         ("moves", str(sum(figures.moves.values())), moves),
         ("gripper", str(figures.grips), f"grips, {empty}{figures.releases} releases"),
     ]
@@ -92,11 +101,11 @@ def _cards(figures: list[Card], label: str) -> str:
     return f'<section class="figures" aria-label="{label}">\n{cells}</section>\n'
 
 
-def _settling_figure(figures: Figures) -> list[Card]:
+def _settling_figure(figures: Figures, of_cycle: str) -> list[Card]:
     settling = figures.settling
     if not figures.is_driven:
         return [("settling", UNKNOWN, "without drives")]
-    share = f"{with_unit(settling.share, PERCENT, 1)} of the cycle time"
+    share = f"{with_unit(settling.share, PERCENT, 1)} {of_cycle}"
     place = place_text(settling.line, settling.visit)
     longest = f"; longest {settling.longest:.3f} s{place}" if settling.longest > 0.0 else ""
     slow = f"; {plural(settling.slow, 'move')} longer than {SLOW * 1e3:g} ms" if settling.slow else ""

@@ -84,6 +84,12 @@ def test_settling_is_a_figure_of_its_own() -> None:
     assert "of the cycle time; longest 0.020 s" in text[start : text.index("</div>", start)]
 
 
+def test_shares_of_several_stations_together_say_so_and_those_of_one_do_not() -> None:
+    text = page(two_stations())
+    assert text.count("of the sum of the cycle times") == 2  # in motion and settling of the whole run
+    assert "of the sum" not in page(pick_and_place(1))
+
+
 def test_every_picture_has_title_and_description() -> None:
     found = outline(page(pick_and_place()))
     assert found.tags.count("svg") >= 9

@@ -5,8 +5,7 @@ from dataclasses import replace
 from functools import partial
 from typing import NoReturn
 
-from ropsim.core import TextEdit, did_you_mean, near
-from ropsim.language.blocks.prose import edit_distance
+from ropsim.core import TextEdit, did_you_mean, edit_distance, near
 from ropsim.language.check.calls.foreign_lines import translated
 from ropsim.language.check.doubts import facing
 from ropsim.language.check.expressions import components, convert, poses, readings, values

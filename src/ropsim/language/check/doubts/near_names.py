@@ -3,8 +3,7 @@
 import re
 from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 
-from ropsim.core import Diagnostic, Span, TextEdit
-from ropsim.language.blocks.prose import edit_distance
+from ropsim.core import Diagnostic, Span, TextEdit, edit_distance
 from ropsim.language.check.scope.body import Made
 from ropsim.language.check.scope.world import Symbol, Variable
 from ropsim.language.findings import names as kinds

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from ropsim.core import did_you_mean
+from ropsim.core import did_you_mean, edit_distance
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.fault import Fault, LineFaultError
@@ -15,6 +15,8 @@ from ropsim.language.syntax.words import ACTIONS, END, INSIDE, MOTIONS, NOT_YET_
 
 _POSTURE_WORDS = {"config": "(left, up)", "turns": "(0, -1)"}
 """Terms of a location that users write behind it; each with an example."""
+_TELLING = 3
+"""Letters of a unit with which a longer word begins: `degs`."""
 _BEHIND_TARGETS = frozenset(SETTINGS) - {"frame"} | {"angle", "at", "until", "store", "track"}
 _HOLDING = frozenset(("if", "elseif", "else", "wait"))
 """Words that execute a statement on their line: whether they include the next one is ambiguous."""
@@ -160,8 +162,18 @@ def _unit(cursor: Cursor, token: Token, _: Token) -> Fault | None:
     written = WRITTEN_OUT.get(token.word, "")
     if not written and (token.word in INSIDE or did_you_mean(token.text, INSIDE)):
         return None
-    hint = f"write `{written}`" if written else did_you_mean(token.text, UNITS)
+    hint = f"write `{written}`" if written else _near_unit(token.word)
     message = f"unknown unit `{token.text}`"
     return Fault(
         kinds.UNEXPECTED, token.start, token.end, message, hint or "units are " + " ".join(UNITS), written
     )
+
+
+def _near_unit(word: str) -> str:
+    """Return "did you mean `cm`?", or an empty string where no unit, or more than one, is near."""
+    alike = [unit for unit in UNITS if unit[0].lower() == word[0]]
+    longer = [unit for unit in alike if len(unit) >= _TELLING and word.startswith(unit)]
+    nearest = sorted((edit_distance(word, one.lower()), abs(len(one) - len(word)), one) for one in alike)
+    best = [one for *key, one in nearest if key[0] <= 1 and key == [*nearest[0][:2]]]
+    found = [max(longer, key=len)] if longer else best
+    return f"did you mean `{found[0]}`?" if len(found) == 1 else ""
