@@ -46,6 +46,8 @@ class Progress:
         self._next = self._start + PATIENCE
         self._drawn = False
         self._compiling = ExitStack()
+        self._compiling_since: float | None = None
+        self._compiled_for = 0.0
         self._live = self._stream.isatty()
         self._full, self._hollow = _bar_signs(self._stream)
 
@@ -68,6 +70,9 @@ class Progress:
     def __call__(self, done: float, text: str) -> None:
         """Report the progress (0 to 1, else clipped; NaN if unknown) and the present activity."""
         now = self._clock()
+        if not math.isnan(done) and self._compiling_since is not None:
+            self._compiled_for += now - self._compiling_since
+            self._compiling_since = None
         if now < self._next:
             return
         self._next = now + (REFRESH if self._live else SPARSE)
@@ -80,10 +85,13 @@ class Progress:
         """Show which function is being compiled; how many will follow is not known."""
         from ropsim.codegen import compiling_text
 
+        if self._compiling_since is None:
+            self._compiling_since = self._clock()
         self(math.nan, compiling_text(count))
 
     def _line(self, share: float, text: str, elapsed: float) -> str:
-        left = f", {_clock_text(elapsed / share - elapsed)} left" if share > 0.02 else ""
+        worked = elapsed - self._compiled_for  # compiling says nothing about the rest of the work
+        left = f", {_clock_text(worked / share - worked)} left" if share > 0.02 else ""
         full = 0 if math.isnan(share) else round(share * BAR)
         bar = f"{self._full * full}{self._hollow * (BAR - full)} " if self._live else ""
         bar = "" if math.isnan(share) else f"{bar}{share:4.0%}  "

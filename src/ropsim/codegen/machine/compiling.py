@@ -27,7 +27,7 @@ def compiling_reported(listener: Listener) -> Iterator[None]:
 
 def compiling_text(count: int) -> str:
     """Return the progress text while functions are compiled, by their number so far; no total is known."""
-    return f"compiling function {count} (each is compiled once)"
+    return f"compiling function {count} (once: later runs load it)"
 
 
 def begin_compiling() -> None:

@@ -88,8 +88,8 @@ def test_work_whose_share_nobody_knows_shows_text_and_time_only() -> None:
 @pytest.mark.parametrize(
     ("stream", "shown"),
     [
-        (Terminal(), "\rsimulating: compiling function 2 (each is compiled once)  (2 s)\x1b[K"),
-        (io.StringIO(), "simulating: compiling function 2 (each is compiled once)  (2 s)\n"),
+        (Terminal(), "\rsimulating: compiling function 2 (once: later runs load it)  (2 s)\x1b[K"),
+        (io.StringIO(), "simulating: compiling function 2 (once: later runs load it)  (2 s)\n"),
     ],
 )
 def test_what_is_compiled_meanwhile_is_counted(stream: io.StringIO, shown: str) -> None:
@@ -102,3 +102,18 @@ def test_what_is_compiled_meanwhile_is_counted(stream: io.StringIO, shown: str) 
     begin_compiling()
     assert stream.getvalue().startswith(shown)
     assert "3" not in stream.getvalue()
+
+
+def test_time_of_compiling_does_not_count_in_the_time_left() -> None:
+    stream, clock = io.StringIO(), Clock()
+    with Progress("simulating", stream, clock) as progress:
+        for seconds in (1.0, 30.0):
+            clock.time = 100.0 + seconds
+            begin_compiling()
+        clock.time = 161.0
+        progress(0.0, "move 1")
+        clock.time = 163.0
+        progress(0.1, "move 2")
+        clock.time = 169.0
+        progress(0.3, "move 4")
+    assert stream.getvalue().splitlines()[-1] == " 30%  simulating: move 4  (69 s, 21 s left)"
