@@ -259,17 +259,6 @@ def test_a_move_in_the_middle_that_would_take_too_long_ends_the_plan_before_it()
     assert [one.move for one in done.moves] == moves[:2]
 
 
-def test_of_two_moves_that_cannot_be_made_the_earlier_one_is_reported() -> None:
-    moves = stretch("LIN")
-    moves[1] = replace(moves[1], modal=replace(ZONE, path_speed=1e-6))
-    beyond = lin(shifted(HERE, 3.0, 0.0, 0.0), ZONE)
-    done, refusal = plan(CHAIN, [*moves[:3], beyond], MotionState.at_rest(START))
-    assert done is not None
-    assert refusal is not None
-    assert [found.code for found in refusal.diagnostics] == ["M513"]
-    assert [one.move for one in done.moves] == moves[:1]
-
-
 @pytest.mark.parametrize("modal", [ModalState(ptp_speed=5e-324), ModalState(ptp_acceleration=1e-200)])
 def test_shares_next_to_nothing_take_too_long(modal: ModalState) -> None:
     done, refusal = plan(CHAIN, [ptp(shifted(HERE, *SQUARE[0]), modal)], MotionState.at_rest(START))
@@ -296,6 +285,11 @@ def test_a_move_that_would_take_too_long_once_a_joint_has_slowed_it_ends_the_pla
     assert refusal is not None
     assert [one.code for one in refusal.diagnostics] == ["M513"]
     assert len(found.moves) == 1
+    # a later move that cannot be made is not what ends the plan
+    beyond = lin(shifted(HERE, 3.0, 0.0, 0.0))
+    found, refusal = plan(chain, [replace(first, modal=ZONE), line, beyond], MotionState.at_rest(START))
+    assert refusal is not None
+    assert [one.code for one in refusal.diagnostics] == ["M513"]
 
 
 def test_no_motion_is_looked_at_tick_by_tick_that_would_take_far_too_long(
