@@ -16,7 +16,7 @@ from ropsim.language.syntax.words import ACTIONS, END, INSIDE, MOTIONS, NOT_YET_
 _POSTURE_WORDS = {"config": "(left, up)", "turns": "(0, -1)"}
 """Terms of a location that users write behind it; each with an example."""
 _TELLING = 3
-"""Letters of a unit with which a longer word begins: `degs`."""
+"""Letters of a unit from which on a longer word may begin with it, as "degs" does."""
 _BEHIND_TARGETS = frozenset(SETTINGS) - {"frame"} | {"angle", "at", "until", "store", "track"}
 _HOLDING = frozenset(("if", "elseif", "else", "wait"))
 """Words that execute a statement on their line: whether they include the next one is ambiguous."""
