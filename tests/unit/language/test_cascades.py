@@ -149,6 +149,21 @@ def test_a_misspelt_setting_is_named_with_the_word_before_it(line: str, meant: s
     assert compiled(text.replace(line.split(maxsplit=1)[0], found.fix.replacement)).ok
 
 
+@pytest.mark.parametrize(
+    ("line", "meant"),
+    [
+        ("cirx via (500, 50, 400) to (500, 100, 400)", "circ"),
+        ("splin via (500, 50, 400), (500, 80, 400) to (500, 100, 400)", "spline"),
+        ("wiat until part_ok", "wait"),
+    ],
+)
+def test_a_misspelt_verb_is_named_where_the_rest_of_the_line_fits_it_alone(line: str, meant: str) -> None:
+    found = only(f"program p\nmov home\n{line}\n")
+    written = line.split(maxsplit=1)[0]
+    assert found.code == "L101"
+    assert found.hint == f"with `{meant}` instead of `{written}` the line is a statement"
+
+
 @pytest.mark.parametrize("text", ["mask 3", "tasks infeed", "lock infeed", "withe tool jaws\nopen"])
 def test_a_word_near_to_an_opener_is_a_call_where_no_end_is_left_over(text: str) -> None:
     assert codes(f"program p\n{text}\nmov nowhere")[-1] == "N202"

@@ -4,6 +4,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
+from ropsim.core import near
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.fault import Fault, LineFaultError
@@ -12,6 +13,7 @@ from ropsim.language.syntax.other_languages import LEFT_OVER
 from ropsim.language.syntax.readers.left_over import finish
 from ropsim.language.syntax.readers.statement import statement
 from ropsim.language.syntax.statements import Broken, ContractClause, Statement
+from ropsim.language.syntax.words import HEADS, VERBS
 
 MAX_LENGTH = 2000
 
@@ -50,7 +52,10 @@ def parse_line(line: str) -> tuple[Statement | None, Fault | None]:
         loop = LOOP_NAME.match(line) if word == "for" else None
         name = next(filter(None, loop.groups()), name) if loop else name
         start = len(line) - len(line.lstrip())
-        return Broken(word, name, start, len(line.rstrip())), _confirmed(line, error.fault)
+        fault = _confirmed(line, error.fault)
+        if not fault.hint and head and word not in HEADS:
+            fault = replace(fault, hint=_verb_hint(line, head.span(1)))
+        return Broken(word, name, start, len(line.rstrip())), fault
 
 
 def _read(line: str, start: int) -> tuple[Statement | None, Fault | None]:
@@ -81,10 +86,10 @@ def _semicolon(found: Sequence[Token]) -> Fault | None:
 
 def _confirmed(line: str, fault: Fault) -> Fault:
     """Return a fault whose near word is left out where the line with it is wrong at the same place."""
-    near = _NEAR.fullmatch(fault.hint)
-    if near is None or fault.fix:
+    found = _NEAR.fullmatch(fault.hint)
+    if found is None or fault.fix:
         return fault
-    word = near[1]
+    word = found[1]
     special = _SPECIAL.match(line)
     try:
         _read(line[: fault.start] + word + line[fault.end :], special.end() if special else 0)
@@ -92,6 +97,19 @@ def _confirmed(line: str, fault: Fault) -> Fault:
         if error.fault.start <= fault.start + len(word):
             return replace(fault, hint="")
     return replace(fault, fix=word)
+
+
+def _verb_hint(line: str, place: tuple[int, int]) -> str:
+    """Return the near verb with which a line is a statement, in words; empty where none is."""
+    begin, end = place
+    written, special = line[begin:end], _SPECIAL.match(line)
+    for verb in near(written, VERBS):
+        try:
+            _read(line[:begin] + verb + line[end:], special.end() if special else 0)
+        except LineFaultError:
+            continue
+        return f"with `{verb}` instead of `{written}` the line is a statement"
+    return ""
 
 
 def _contract(line: str, start: int) -> ContractClause:
