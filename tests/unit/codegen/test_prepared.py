@@ -1,5 +1,6 @@
 """Kernels whose LLVM text came with the wheel: no numba, and the same bits."""
 
+import random
 import re
 import sys
 import zipfile
@@ -101,6 +102,32 @@ def test_numba_compiles_what_llvm_cannot_read(archive: Path) -> None:
         prepared.write_prepared({name: other}, archive)
         prepared._names.cache_clear()
         np.testing.assert_array_equal(result(fresh()), expected)
+
+
+def test_a_text_without_the_entry_is_not_run_and_not_kept(archive: Path) -> None:
+    expected = result(mixed)
+    name, text = prepared_text_of(fresh())
+    begin = text.rindex("define ", 0, text.rindex(f"@{ENTRY}("))
+    for other in ("", text.replace(f"@{ENTRY}(", "@another("), text[:begin]):
+        prepared.write_prepared({name: other}, archive)
+        prepared._names.cache_clear()
+        np.testing.assert_array_equal(result(fresh()), expected)
+    archive.unlink()
+    np.testing.assert_array_equal(result(fresh()), expected)
+
+
+def test_flipped_bytes_of_an_archive_raise_nothing(archive: Path) -> None:
+    chance = random.Random(7)
+    prepared.write_prepared({"a_1.ll": "one" * 50, "b_2.ll": "two"}, archive)
+    whole = archive.read_bytes()
+    for _ in range(600):
+        damaged = bytearray(whole)
+        for _ in range(chance.randint(1, 4)):
+            damaged[chance.randrange(len(damaged))] = chance.randrange(256)
+        archive.write_bytes(damaged)
+        prepared._names.cache_clear()
+        for name in (*prepared.names_in(archive), "a_1.ll", "b_2.ll"):
+            prepared.prepared_text(name)
 
 
 def test_an_archive_cut_short_is_no_error(archive: Path) -> None:

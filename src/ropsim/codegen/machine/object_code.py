@@ -59,7 +59,7 @@ class MachineCode:
 
 
 class MissingNameError(Exception):
-    """Machine code calls a function that this process does not have."""
+    """Machine code calls a function that this process does not have, or lacks its own."""
 
 
 class NoObjectCodeError(ValueError):
@@ -140,7 +140,7 @@ def load(code: MachineCode) -> int:
     """Return the address of the function; its code stays in memory.
 
     Raises:
-        MissingNameError: the process lacks a name that the code needs.
+        MissingNameError: the process lacks a name that the code needs, or the code lacks the function.
     """
     import llvmlite.binding as llvm
 
@@ -155,6 +155,8 @@ def load(code: MachineCode) -> int:
     engine.add_object_file(llvm.ObjectFileRef.from_data(code.object_file))
     engine.finalize_object()
     address: int = engine.get_function_address(code.symbol)
+    if not address:
+        raise MissingNameError(code.symbol)
     return address
 
 

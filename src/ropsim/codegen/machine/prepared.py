@@ -5,6 +5,7 @@ texts are in one archive under names that hold a digest of the source. A checkou
 another source is not found in it, and an LLVM older than the writer's may not read it: then numba compiles.
 """
 
+import struct
 import zlib
 from functools import cache
 from hashlib import sha256
@@ -15,6 +16,19 @@ from ropsim.codegen.machine.kept_code import compiler_digest
 from ropsim.version import __version__
 
 ARCHIVE = Path(__file__).parents[1] / "prepared.zip"
+
+_DAMAGED = (
+    OSError,
+    BadZipFile,
+    NotImplementedError,
+    RuntimeError,
+    EOFError,
+    LookupError,
+    ValueError,
+    struct.error,
+    zlib.error,
+)
+"""Errors of reading a damaged archive."""
 
 
 def prepared_name(name: str, source: str) -> str:
@@ -39,7 +53,7 @@ def prepared_text(name: str) -> str | None:
     try:
         with ZipFile(ARCHIVE) as archive:
             return archive.read(name).decode()
-    except (OSError, BadZipFile, zlib.error, ValueError):
+    except _DAMAGED:
         return None
 
 
@@ -60,7 +74,7 @@ def names_in(path: Path) -> frozenset[str]:
     try:
         with ZipFile(path) as archive:
             return frozenset(archive.namelist())
-    except (OSError, BadZipFile):
+    except _DAMAGED:
         return frozenset()
 
 
