@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
-from ropsim.cli import all_kinds
+from ropsim.cli import RETIRED, all_kinds
 from ropsim.core import Kind
 
 FOLDER = Path(__file__).parent.parent / "docs" / "reference" / "diagnostics"
@@ -54,19 +54,6 @@ BANDS = {
 }
 """Of each code, by its first two characters."""
 
-RETIRED = {
-    "M504": "speed-limit-on-line",
-    "M507": "zone-not-simulated",
-    "M510": "acceleration-limit",
-    "M521": "external-axis-on-line",
-    "M571": "chain-too-long",
-    "M574": "inertia-not-symmetric",
-    "X904": "looks-like-radians",
-    "X910": "robot-file-outside-project",
-    "X913": "tiny-part",
-}
-"""Codes of earlier versions, with what they meant: they never mean anything else."""
-
 
 def page(kind: Kind) -> str:
     """Return the page of one kind."""
@@ -79,7 +66,7 @@ def page(kind: Kind) -> str:
 
 
 def index(kinds: Mapping[str, Kind]) -> str:
-    """Return the list of all kinds, by band, and of the codes that are no longer told."""
+    """Return the list of all kinds, by band, and of the codes that are no longer reported."""
     lines = ["# Diagnostics", "", "Made from the catalogue by `make docs`; a code is never used again."]
     for start, band in BANDS.items():
         packages = ", ".join(f"`{name}`" for name in band.packages)
@@ -97,8 +84,9 @@ def index(kinds: Mapping[str, Kind]) -> str:
             for code, kind in kinds.items()
             if code.startswith(start)
         ]
-    lines += ["", "## Retired", "", "Codes of earlier versions, which are told no more.", ""]
-    lines += ["| code | meant |", "|---|---|", *(f"| {code} | `{slug}` |" for code, slug in RETIRED.items())]
+    lines += ["", "## Retired", "", "Codes of earlier versions, which are no longer reported.", ""]
+    lines += ["| code | meant | now |", "|---|---|---|"]
+    lines += [f"| {code} | `{one.slug}`: {one.meaning} | {one.now} |" for code, one in RETIRED.items()]
     return "\n".join(lines) + "\n"
 
 
@@ -140,7 +128,7 @@ def main(arguments: list[str]) -> int:
     left_over = sorted(path for path in FOLDER.glob("*.md") if path not in wanted)
     gone = [path.stem for path in left_over if path.stem not in RETIRED]
     if gone:
-        print(f"nothing is written: add to RETIRED of {Path(__file__).name}: {', '.join(gone)}")
+        print(f"nothing is written: add to RETIRED of ropsim/cli/retired.py: {', '.join(gone)}")
         return 1
     for path in left_over:
         path.unlink()

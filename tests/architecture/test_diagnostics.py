@@ -7,8 +7,9 @@ import sys
 from functools import cache
 from pathlib import Path
 
-from tools.diagnostic_pages import BANDS, RETIRED
+from tools.diagnostic_pages import BANDS
 
+from ropsim.cli import RETIRED
 from support.sources import nodes, trees
 
 ROOT = Path(__file__).parents[2]
@@ -73,6 +74,12 @@ def test_the_search_for_codes_finds_lists_comparisons_and_bands() -> None:
 
 def test_no_code_is_used_again() -> None:
     assert sorted(set(defined_codes()) & set(RETIRED)) == []
+
+
+def test_retired_codes_lead_to_codes_that_are_defined() -> None:
+    led = {code for one in RETIRED.values() for code in re.findall(r"\b[A-Z]\d{3}\b", one.now)}
+    assert led
+    assert sorted(led - set(defined_codes())) == []
 
 
 def test_explain_knows_every_code_that_is_defined() -> None:

@@ -279,6 +279,14 @@ def test_every_code_can_be_explained() -> None:
     assert "out of range" in ropsim("explain", "M502").stdout
 
 
+def test_a_retired_code_is_explained() -> None:
+    said = ropsim("explain", "m507")
+    assert said.returncode == 0
+    assert said.stdout.startswith("retired[M507] zone-not-simulated: the move has a zone")
+    assert "M560" in said.stdout
+    assert json.loads(ropsim("explain", "M507", "--json").stdout)["severity"] == "retired"
+
+
 def test_robots_speak_degrees_and_millimetres() -> None:
     found = ropsim("robot", "fk", "puma560", "0", "45", "180", "0", "45", "0")
     assert "x 596.303  y -150.050  z 657.476 mm" in found.stdout

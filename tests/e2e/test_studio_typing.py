@@ -51,6 +51,16 @@ def test_enter_behind_a_whole_line_breaks_it(fresh: StudioPage, line: str, pause
     assert last_lines(fresh, 2) == [line, "mov home"]
 
 
+def test_enter_in_a_text_leaves_its_closing_quote_on_the_line(fresh: StudioPage) -> None:
+    keyboard = fresh.page.keyboard
+    at_the_end(fresh)
+    for line in ('print "hi', "mov home", 'print "a", "b'):
+        keyboard.type(line, delay=60)
+        keyboard.press("Enter")
+    keyboard.type("wait 1 s", delay=60)
+    assert last_lines(fresh, 4) == ['print "hi"', "mov home", 'print "a", "b"', "wait 1 s"]
+
+
 def test_enter_takes_from_a_list_only_behind_an_arrow_key_and_tab_always(fresh: StudioPage) -> None:
     keyboard = fresh.page.keyboard
     at_the_end(fresh)

@@ -1,6 +1,6 @@
 /** Brackets and quotes that close themselves: in code, not in comments, prose and texts that have their end. */
 import { closeBrackets } from '@codemirror/autocomplete'
-import { EditorState, type Extension } from '@codemirror/state'
+import { EditorState, type Extension, Facet } from '@codemirror/state'
 
 /** How texts and comments of a language begin. */
 export interface Signs {
@@ -12,6 +12,11 @@ export interface Signs {
   /** Lines that are prose. */
   readonly prose?: RegExp
 }
+
+/** The signs of the language of an editor. */
+const signsOf = Facet.define<Signs>()
+/** Quotes of texts that go on in the next line. */
+const LONG = /"""|'''/
 
 type Place = 'code' | 'text' | 'note'
 
@@ -38,8 +43,20 @@ function closedAt(state: EditorState, place: number, signs: Signs): readonly str
   return at === 'text' && !isEscaped && next && signs.quotes.includes(next) ? [next] : []
 }
 
+/** The quote at a place that ends the text before it on the same line; empty if there is none. */
+export function endOfText(state: EditorState, place: number): string {
+  const line = state.doc.lineAt(place)
+  const before = line.text.slice(0, place - line.from)
+  const next = line.text[place - line.from] ?? ''
+  const isEnd = state
+    .facet(signsOf)
+    .some(signs => next && signs.quotes.includes(next) && placeAt(before, signs) === 'text')
+  return isEnd && !LONG.test(line.text) ? next : ''
+}
+
 export function brackets(signs: Signs): Extension {
   return [
+    signsOf.of(signs),
     closeBrackets(),
     EditorState.languageData.of((state, place) => [
       { closeBrackets: { brackets: closedAt(state, place, signs) } },

@@ -107,6 +107,26 @@ describe('depth', () => {
   })
 })
 
+describe('Enter in a text', () => {
+  it.each([
+    ['|', 'print "hi', 'print "hi"\n|'],
+    ['|', 'print "hi, \\"', 'print "hi, \\""\n|'],
+    ['repeat 3\n  |', 'print "', 'repeat 3\n  print ""\n  |'],
+    ['print "|", n', 'a', 'print "a"\n|, n'],
+    ['print "a|b"', '', 'print "a\n|b"'],
+    ['print |"a"', '', 'print \n|"a"'],
+    ['# 5|" wide', '', '# 5\n|" wide'],
+  ])('in %j behind %j leaves the closing quote on its line', (before, keys, behind) => {
+    expect(at(before, [...keys, 'Enter'])).toBe(behind)
+  })
+
+  it('leaves nothing below what is typed next', () => {
+    expect(at('|', [...'print "hi', 'Enter', ...'mov home', 'Enter', ...'open'])).toBe(
+      'print "hi"\nmov home\nopen|',
+    )
+  })
+})
+
 describe('brackets and quotes', () => {
   it.each([
     ['|', 'mov (1, [2], "a")', 'mov (1, [2], "a")|'],

@@ -24,7 +24,7 @@ test('a contact is shown from its begin to its end, both included', () => {
 
 test('it has the places of both bodies, its deepest point and words with the depth', () => {
   expect(contactsAt([deep], scene, 1.5)).toEqual([
-    { bodies: [1, 2], place: [0.1, 0.2, 0.3], text: 'jaws – pallet, 13.1 mm' },
+    { bodies: [1, 2], place: [0.1, 0.2, 0.3], text: 'jaws – pallet, 13.1 mm deep' },
   ])
 })
 

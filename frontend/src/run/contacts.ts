@@ -25,7 +25,7 @@ export function contactsAt(
   return lasting.map(one => ({
     bodies: [placeOf(one.one), placeOf(one.other)].filter(place => place >= 0),
     place: [one.place[0] ?? 0, one.place[1] ?? 0, one.place[2] ?? 0],
-    text: `${one.bodies}, ${(-1e3 * one.distance).toFixed(1)} mm`,
+    text: `${one.bodies}, ${(-1e3 * one.distance).toFixed(1)} mm deep`,
   }))
 }
 

@@ -22,7 +22,7 @@ test('it names the TCP in millimetres and the joint nearest to its limit', () =>
   // Turned by 90° about z: what the tool has along x points along y.
   const poses = Float32Array.of(0.3, 0.12, 0.6, Math.SQRT1_2, 0, 0, Math.SQRT1_2)
   expect(textTwin(SCENE, poses, run, 0)).toBe(
-    'TCP 300.0, 220.0, 600.0 mm; Joint 2 94 % of the way to its limit',
+    'TCP 300.0, 220.0, 600.0 mm; Joint 2: 94 % of the way to its limit',
   )
 })
 
@@ -35,7 +35,7 @@ test('while a robot is jogged it says where that stands, and not where the run s
   const poses = Float32Array.of(0.3, 0.12, 0.6, 1, 0, 0, 0)
   const jogged = { station: 'robot', q: [0.5, 0.9], tcp: [0.7, 0, 0.2, 1, 0, 0, 0] } as const
   expect(textTwin(SCENE, poses, run, 0, jogged)).toBe(
-    'TCP 700.0, 0.0, 200.0 mm; Joint 2 80 % of the way to its limit',
+    'TCP 700.0, 0.0, 200.0 mm; Joint 2: 80 % of the way to its limit',
   )
   const elsewhere = { ...jogged, station: 'other' }
   expect(textTwin(SCENE, poses, run, 0, elsewhere)).toMatch(/^TCP 400.0, 120.0, 600.0 mm/)

@@ -31,7 +31,7 @@ export interface JoggedArm {
   readonly tcp: Pose
 }
 
-/** "TCP 435.1, 120.0, 612.4 mm; Joint 3 97 % of the way to its limit" */
+/** "TCP 435.1, 120.0, 612.4 mm; Joint 3: 97 % of the way to its limit" */
 export function textTwin(
   scene: SceneDescription,
   poses: Float32Array,

@@ -6,7 +6,7 @@ export const editWords = {
   definition: 'Go to the definition',
   references: 'All places of the name',
   rename: 'Rename …',
-  signature: 'How the task is called',
+  signature: 'Parameters of the task',
   fix: 'Quick fix …',
   comment: 'Comment or uncomment lines',
   format: 'Format the text',

@@ -283,7 +283,7 @@ export const words = {
   },
   twin: {
     tcp: (position: readonly string[], unit: string) => `TCP ${position.join(', ')} ${unit}`,
-    joint: (name: string, percent: number) => `${name} ${percent} % of the way to its limit`,
+    joint: (name: string, percent: number) => `${name}: ${percent} % of the way to its limit`,
     station: (name: string, text: string) => `${name}: ${text}`,
   },
   panel: {

@@ -54,3 +54,4 @@ from ropsim.core.words import did_you_mean as did_you_mean
 from ropsim.core.words import edit_distance as edit_distance
 from ropsim.core.words import near as near
 from ropsim.core.words import plural as plural
+from ropsim.core.words import there_are as there_are

@@ -97,6 +97,14 @@ def edit_distance(a: str, b: str) -> int:
     return last[-1]
 
 
+def there_are(names: Iterable[str]) -> str:
+    """Return "there is only `x`" or "there are `x`, `y`"; an empty string for no names."""
+    listed = [f"`{one}`" for one in names]
+    if len(listed) == 1:
+        return f"there is only {listed[0]}"
+    return f"there are {', '.join(listed)}" if listed else ""
+
+
 def plural(count: int, noun: str) -> str:
     """Return `1 error`, `2 errors`."""
     return f"{count} {noun}{'' if count == 1 else 's'}"

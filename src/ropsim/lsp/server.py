@@ -91,7 +91,8 @@ def answer(state: State, call: Call, workshop: Workshop) -> Answer:
         assert isinstance(made, State)
         return made, ()
     if isinstance(made, Refusal):
-        return state, (failure(call.id, ErrorCode.REQUEST_FAILED, made.message),)
+        plain = made.message.replace("`", '"')  # clients show the message of an error as it is
+        return state, (failure(call.id, ErrorCode.REQUEST_FAILED, plain),)
     return state, (result(call.id, made),)
 
 

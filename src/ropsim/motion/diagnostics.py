@@ -52,7 +52,7 @@ limit of the posture that comes nearest; the note counts the postures.
 For a target in joint coordinates it names the first joint whose coordinate is out of range.
 
 **How to mend it.** Move or turn the target or its task frame, choose a tool that is mounted differently, or
-give the target in another orientation. If the move is in a loop, the message says in which pass it
+give the target in another orientation. From the second pass of a loop on, the message says in which pass it
 happened: the earlier passes are fine.
 """,
 )

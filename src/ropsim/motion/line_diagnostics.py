@@ -14,7 +14,7 @@ turn beyond its limit on the way. A LIN move cannot change the posture: it would
 The message says which joint, and at which share of the way the limit is met.
 
 **How to mend it.** Start the line in another posture or with other turns of the wrist (a PTP move to joint
-coordinates before it), make the line shorter, or use PTP where the path does not matter.
+coordinates before it), make the line shorter, or use `mov` where the path does not matter.
 """,
 )
 
@@ -31,7 +31,7 @@ The line runs through a singularity of the arm, where the joints cannot follow t
 * **elbow**: upper arm and forearm are stretched;
 * **shoulder**: the wrist centre lies above or below the axis of joint 1.
 
-**How to mend it.** Turn the tool a little, shift the line, or use PTP for this part of the way. A controller
+**How to mend it.** Turn the tool a little, shift the line, or use `mov` for this part. A controller
 with `orientation = "wrist angles"` passes the singularity of the wrist; the tool then turns between both ends
 as the wrist leads it.
 """,
@@ -47,7 +47,7 @@ OTHER_JOINTS_AT_LINE_END = define(
 A LIN move keeps its posture. The target was given in joint coordinates of another posture (or with other
 turns), so the arm reaches the pose that belongs to them, but with different joint coordinates.
 
-**How to mend it.** Use PTP to reach exactly these joint coordinates.
+**How to mend it.** Use `mov` to reach exactly these joint coordinates.
 """,
 )
 

@@ -11,9 +11,9 @@ ZONE_STOPS = define(
 A zone lets the arm leave its path near a point and go on to the next one without a stop; a via point is
 passed without one. Both need a next move that is known in time. The arm stops all the same where the program
 ends or has to wait for the arm: before a gripper, an output, an input that is read, a wait; where the path
-turns back on itself; where there is no way to the next point; where the controller may not look far enough
-ahead; and where the zone is so small that to slow down for its bend, or for what joints can do there, takes
-longer than to stop. The message says which of these it is.
+turns back on itself; where the arm is at the target of the move already, or the next move has the same one;
+where the controller may not look far enough ahead; and where the zone is so small that to slow down for its
+bend, or for what joints can do there, takes longer than to stop. The message says which of these it is.
 
 **How to mend it.** Give the move `fine` if the stop is meant. Otherwise set the output on the path
 (`at 5 mm before end do set valve on`), read the input earlier, shift the point, or give a larger zone.
@@ -24,13 +24,13 @@ ZONE_CLIPPED = define(
     "M562",
     "zone-clipped",
     Severity.HINT,
-    "the zone is larger than half of a way beside it, less of it is flown",
+    "the zone is larger than half of a move that meets there, a smaller one is flown",
     """
 Zones may not overlap: each takes at most half of the move before and half of the move behind its point. The
-message gives the zone that is flown. Where a move in joint space takes part (`mov` beside `lin`), each of the
-two ways has its own half, and these are the most that is flown: the next motion begins while the one before
-ends, both parts within the zone last equally long, and the move with the slower part is left nearer to its
-point. The report gives that distance. Such a zone is told where it is larger than both halves.
+message gives the zone that is flown. Where a move in joint space takes part (`mov` next to `lin`), each of
+the two moves has its own half, and these are the most that is flown: the next motion begins while the one
+before ends, both parts within the zone last equally long, and the move with the slower part is left nearer to
+its point. The report gives that distance. Such a zone is reported where it is larger than both halves.
 
 **How to mend it.** Give the zone that is flown, or put the points further apart.
 """,
@@ -56,9 +56,10 @@ SLOWED = define(
     "on a part of the path the tool is slower than commanded, because a joint cannot do more",
     """
 The commanded speed, acceleration or a corner asks a joint for more speed, acceleration, jerk or torque than
-it has. The controller slows down there, on the path: the message gives the place, the joint, and which share
-is left of the speed that the tool would have without regard to joints. That is less than the commanded one
-where the way is too short to reach it, or bent. A line that loses next to no time is not told. Cycle times
+it has. The controller slows down there, on the path. The message gives the joint, the share that is left of
+the planned speed, and when: the share of the duration of the move as planned. The planned speed is that of
+the tool without regard to joints; it is less than the commanded one where the path is too short to reach it,
+or bent. A line that loses next to no time is not reported. Cycle times
 are those of the slowed motion. Slowing down there, and speeding up again, keeps the limits of the joints, and
 those of the tool that the program gives.
 

@@ -33,13 +33,13 @@ def clipped(move: MoveInstruction, blend: Blend) -> tuple[Diagnostic, ...]:
     wanted, zone = move.modal.zone, blend.zone
     if zone >= wanted * (1.0 - _SAME):
         return ()
-    shown = f"{zone * 1e3:.3g} mm, half of the shorter way beside it"
+    shown = f"{zone * 1e3:.3g} mm, half of the shorter one of the two moves that meet here"
     if isinstance(blend, JointSpaceBlend):
         shorter = f" and {blend.shorter * 1e3:.3g} mm" if blend.shorter < zone * (1.0 - _SAME) else ""
-        shown = f"at most {zone * 1e3:.3g} mm{shorter}, half of the ways beside it"
+        shown = f"at most {zone * 1e3:.3g} mm{shorter}, half of each of the two moves that meet here"
     finding = ZONE_CLIPPED.at(
         move.origin.span,
-        f"the zone of {wanted * 1e3:g} mm is flown as {shown}",
+        f"the zone of {wanted * 1e3:g} mm is reduced to {shown}",
         label=passes(move.origin),
         hint=f"give `blend {zone * 1e3:.3g} mm`, or put the points further apart",
         data={"zone_m": wanted, "flown_m": zone},

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from ropsim.core import Category, RopsimError, Severity, define, did_you_mean
+from ropsim.core import Category, RopsimError, Severity, define, did_you_mean, there_are
 
 UNKNOWN_ROBOT = define(
     "X860",
@@ -43,13 +43,12 @@ class UnknownRobotError(RopsimError):
 
     def __init__(self, name: str, known: Iterable[str]) -> None:
         names = tuple(known)
-        listed = ", ".join(f"`{each}`" for each in names)
         is_path = any(mark in name for mark in "./\\")
         near = "`ropsim.load_robot` reads files" if is_path else did_you_mean(name, names)
         super().__init__(
             UNKNOWN_ROBOT.at(
                 None,
-                f"no robot is called `{name[:64]}`, there are {listed}",
+                f"no robot is called `{name[:64]}`, {there_are(names)}",
                 hint=near or "choose one of these names",
                 data={"found": name, "allowed": names},
             )

@@ -74,7 +74,8 @@ def test_a_penetration_is_an_error_on_its_line_with_bodies_and_depth(
     assert not document["ok"]
     assert {one["severity"] for one in met} == {"error"}
     assert {one["span"]["line"] for one in met} == {4}
-    assert all(re.fullmatch(r"collision link\d – post, \d+\.\d mm, line 4", one["message"]) for one in met)
+    words = re.compile(r"collision link\d – post, \d+\.\d mm deep, line 4")
+    assert all(words.fullmatch(one["message"]) for one in met)
     assert document["summary"]["error_count"] == len(met)
     assert document["result"]["verdict"]["kind"] == "failed"
     assert document["result"]["verdict"]["text"].startswith("failed: collision on line 4: link")
@@ -118,7 +119,7 @@ def test_terminal_and_report_of_a_collision_say_the_same(
     said, page = capsys.readouterr(), (tmp_path / "r.html").read_text()
     assert code == 1
     words = re.search(
-        r"failed: collision on line 4: (link\d – post, [0-9.]+ mm); \d errors?$", said.out, re.M
+        r"failed: collision on line 4: (link\d – post, [0-9.]+ mm deep); \d errors?$", said.out, re.M
     )
     assert words
     assert f"collision {words[1]}, line 4" in said.err + said.out

@@ -139,14 +139,14 @@ READ_PLACED = "signals are read by name: write `wait until placed`"
 @pytest.mark.parametrize(
     ("line", "code", "hint"),
     [
-        ("mov infeed speed 150 mm", "T302", "its unit is of another sort: write one of those in parentheses"),
+        ("mov infeed speed 150 mm", "T302", "give the value in `mm/s`, `deg/s` or `%`"),
         ("wait placed", "N202", f"{READ_PLACED}, and declare it in the cell file: `[signals.placed]`"),
         ("wait ready", "T301", "signals are read by name: write `wait until ready`"),
         ("wait until ready on", "L101", "inputs are read by name: write `wait until NAME`"),
         ("wait until ready off", "L101", "inputs are read by name: write `wait until not NAME`"),
         ("wait until reddy", "N202", "did you mean `ready`?"),
         ("wait until foo", "N202", "declare it in the cell file: `[signals.foo]`"),
-        ("set foo on", "N205", "declare it in the cell file: `[signals.foo]`; there are `ready`"),
+        ("set foo on", "N205", "declare it in the cell file: `[signals.foo]`; there is only `ready`"),
         ("set part_ok on", "N207", "the device `belt` sets it"),
     ],
 )

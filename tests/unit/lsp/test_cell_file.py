@@ -223,11 +223,11 @@ def test_a_tool_is_changed_where_stations_name_it(folder: Path) -> None:
 
 def test_names_that_would_change_the_meaning_are_refused(folder: Path) -> None:
     marked = text_of(folder).replace("locations.pick_up", "locations.pick|_up")
-    assert renamed(folder, "cell.toml", marked, "set_down")["message"] == "the cell has the name `set_down`"
+    assert renamed(folder, "cell.toml", marked, "set_down")["message"] == 'the cell has the name "set_down"'
     assert "word of the language" in renamed(folder, "cell.toml", marked, "mov")["message"]
-    assert "`a` is a parameter" in renamed(folder, "cell.toml", marked, "a")["message"]
+    assert '"a" is a parameter' in renamed(folder, "cell.toml", marked, "a")["message"]
     (folder / "programs" / "other.task").write_text("lin pick_up above\n", "utf-8")
-    assert "cannot be read" in renamed(folder, "cell.toml", marked, "infeed")["message"]
+    assert "has an error" in renamed(folder, "cell.toml", marked, "infeed")["message"]
 
 
 def test_a_text_that_is_no_toml_ends_in_no_answer(folder: Path) -> None:

@@ -369,7 +369,7 @@ def test_a_clipped_zone_is_a_hint_with_the_zone_that_is_flown() -> None:
     assert found.span == LINE
     assert found.data["zone_m"] == 0.06
     assert found.data["flown_m"] == pytest.approx(0.05, abs=1e-9)
-    assert "the zone of 60 mm is flown as 50 mm" in found.message
+    assert "the zone of 60 mm is reduced to 50 mm" in found.message
 
 
 def test_a_zone_beside_a_move_of_the_joints_is_at_most_half_of_either_way() -> None:
@@ -377,8 +377,8 @@ def test_a_zone_beside_a_move_of_the_joints_is_at_most_half_of_either_way() -> N
     told = planned_stretch([lin(short, ModalState(zone=0.4), visit=1), ptp(far)])
     (found,) = [one for one in told.findings if one.code == "M562"]
     assert float(str(found.data["flown_m"])) == pytest.approx(0.18, abs=0.02)
-    assert found.message.startswith("the zone of 400 mm is flown as at most ")
-    assert found.message.endswith(" mm and 50 mm, half of the ways beside it")
+    assert found.message.startswith("the zone of 400 mm is reduced to at most ")
+    assert found.message.endswith(" mm and 50 mm, half of each of the two moves that meet here")
     silent = planned_stretch([lin(short, ModalState(zone=0.06), visit=1), ptp(far)])
     assert "M562" not in codes(silent)  # the longer way has all of it
 

@@ -23,4 +23,4 @@ def test_a_zone_that_is_not_flown_is_told_and_so_is_a_via_point_that_is_not_pass
 
 
 def test_a_stop_that_was_asked_for_says_nothing() -> None:
-    assert stopped(lin(TARGET, FINE, visit=1), Stop.NO_PATH) == ()
+    assert stopped(lin(TARGET, FINE, visit=1), Stop.NO_WAY_TO) == ()

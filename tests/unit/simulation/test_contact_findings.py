@@ -18,10 +18,10 @@ def facts(*contacts: Contact, stations: tuple[StationFacts, ...] = (LEFT, RIGHT)
 def test_contacts_of_one_pass_are_one_pass_however_many_they_are() -> None:
     again = replace(HIT, begin=1.4, end=1.5, time=1.45, distance=-0.004)
     (one,) = contact_findings(facts(HIT, again))
-    assert one.message == "collision jaws – pallet, 4.0 mm, line 7"
+    assert one.message == "collision jaws – pallet, 4.0 mm deep, line 7"
     assert one.label == "worst at t = 1.45 s"
     (two,) = contact_findings(facts(HIT, again, replace(HIT, begin=9.0, visit=2)))
-    assert two.message == "collision jaws – pallet, 4.0 mm, line 7 (2 passes)"
+    assert two.message == "collision jaws – pallet, 4.0 mm deep, line 7 (2 passes)"
     assert two.data["passes"] == (1, 2)
 
 

@@ -94,8 +94,8 @@ def test_a_gripper_that_goes_too_deep_is_one_finding_for_all_passes(low: tuple[C
     found = [one for one in recording.findings if one.code == "S751"]
     words = [re.sub(r"\d+\.\d mm", "… mm", one.message) for one in found]
     assert words == [
-        "collision box – pallet, … mm, line 17 (36 passes)",
-        "collision jaws – pallet, … mm, line 18 (36 passes)",
+        "collision box – pallet, … mm deep, line 17 (36 passes)",
+        "collision jaws – pallet, … mm deep, line 18 (36 passes)",
     ]
     assert all(one.is_error for one in found)
     judged = verdict(summarize(recording))
@@ -168,7 +168,7 @@ def test_a_part_that_is_set_down_touches_and_may_be_as_deep_as_supports_allow() 
 
 def test_a_part_that_is_pressed_into_what_carries_it_collides() -> None:
     (found,) = with_stand(0.005).findings
-    assert re.fullmatch(r"collision box – stand_right, 5\.0 mm, line \d+", found.message)
+    assert re.fullmatch(r"collision box – stand_right, 5\.0 mm deep, line \d+", found.message)
     assert found.is_error
 
 

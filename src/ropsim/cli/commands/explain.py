@@ -3,6 +3,7 @@
 import argparse
 
 from ropsim.cli.catalogue import all_kinds
+from ropsim.cli.retired import RETIRED
 from ropsim.cli.terminal.output import Output
 from ropsim.core import Category, RopsimError, Severity, define, did_you_mean
 
@@ -32,7 +33,10 @@ def explain(options: argparse.Namespace, output: Output) -> int:
         output.text("\n".join(rows))
         output.document({"codes": {code: kind.summary for code, kind in kinds.items()}})
         return 0
-    kind = kinds.get(options.code.upper())
+    code = options.code.upper()
+    if code in RETIRED:
+        return _retired(code, output)
+    kind = kinds.get(code)
     if kind is None:
         hint = did_you_mean(options.code, kinds) or "`ropsim explain` lists all codes"
         raise UnknownCodeError(NO_SUCH_CODE.at(None, f"there is no diagnostic `{options.code}`", hint=hint))
@@ -44,6 +48,23 @@ def explain(options: argparse.Namespace, output: Output) -> int:
             "severity": kind.severity.value,
             "summary": kind.summary,
             "explanation": kind.explanation,
+        }
+    )
+    return 0
+
+
+def _retired(code: str, output: Output) -> int:
+    """Print what a code of earlier versions meant."""
+    one = RETIRED[code]
+    explanation = f"No finding has this code any more, and it is never used again. {one.now}"
+    output.text(f"retired[{code}] {one.slug}: {one.meaning}\n\n{explanation}")
+    output.document(
+        {
+            "code": code,
+            "slug": one.slug,
+            "severity": "retired",
+            "summary": one.meaning,
+            "explanation": explanation,
         }
     )
     return 0

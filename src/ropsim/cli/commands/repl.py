@@ -51,7 +51,7 @@ class _Talk:
             self._output.text(line_of_answer)
         self.session = reply.session
         self.is_over = reply.outcome is Outcome.OVER
-        refused = reply.outcome is Outcome.REFUSED
+        refused = reply.outcome is Outcome.REFUSED or (self.is_over and bool(reply.diagnostics))
         if reply.program is not None and (finding := self._write(reply.program)) is not None:
             self._output.failure(finding)
             refused = True

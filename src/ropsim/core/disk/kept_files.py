@@ -45,8 +45,8 @@ Compiled code is kept in the cache folder and run from there. So it is used only
 put something into it: the folder and the folders in it belong to you, no other user can write to them, and
 they are no links. Root does not use the cache of another user either.
 
-Nothing is lost: code is compiled anew in each process, which takes longer. Remove the folder, or take the
-permission to write from others (`chmod 700`); `ROPSIM_CACHE_DIR` names another folder by an absolute path.
+Nothing is lost: code is compiled anew in each process, which takes longer. Remove the folder, or let
+only yourself read and write it (`chmod 700`); `ROPSIM_CACHE_DIR` names another folder by an absolute path.
 """,
 )
 
@@ -146,7 +146,7 @@ def kept_findings() -> tuple[Diagnostic, ...]:
 
 
 def _refused(error: ForeignFolderError) -> None:
-    hint = f"remove it, take its permissions from others (`chmod 700`), or name another by `{CACHE_OVERRIDE}`"
+    hint = f"remove it, let only yourself use it (`chmod 700`), or name another folder by `{CACHE_OVERRIDE}`"
     _findings[FOREIGN_CACHE.code] = FOREIGN_CACHE.at(
         None, f"{error}: what is kept there is not used, and code is compiled anew", hint=hint
     )

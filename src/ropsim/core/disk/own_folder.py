@@ -180,13 +180,13 @@ def _opened_folder(path: Path, name: str, around: int | None) -> int | None:
     if not _HAS_OWNERS:
         facts = os.lstat(path)
         if not stat.S_ISDIR(facts.st_mode) or getattr(facts, "st_reparse_tag", False):
-            raise ForeignFolderError(f"`{path}` is a link or no folder")
+            raise ForeignFolderError(f"`{path}` is a link, or it is not a folder")
         return None
     try:
         handle = os.open(name, _FOLDER, dir_fd=around)
     except OSError as error:
         if error.errno in _NO_FOLDER:
-            raise ForeignFolderError(f"`{path}` is a link or no folder") from None
+            raise ForeignFolderError(f"`{path}` is a link, or it is not a folder") from None
         raise
     with closed_on_error(handle):
         facts = os.fstat(handle)

@@ -25,10 +25,17 @@ def prelude(text: str) -> str:
 
 
 def goes_on(text: str) -> bool:
-    """Return whether a text ends within a block, or within a statement that the next line would continue."""
+    """Return whether a text ends within a block, or within a statement that the next line would continue.
+
+    A text whose first statement is refused begins no block.
+    """
     source = SourceText("", text + "\n0")  # an incomplete last line takes this line in
     lines = list(read(source, LineCache()))
     if lines[-1].logical.number < len(source.lines):
         return True
-    depths = list(indented([*told(lines[:-1]), Line.empty()]))
+    own = told(lines[:-1])
+    first = next((line for line in own if line.statement is not None or line.fault is not None), None)
+    if first is None or first.fault is not None:
+        return False
+    depths = list(indented([*own, Line.empty()]))
     return depths[-1][1] > 0

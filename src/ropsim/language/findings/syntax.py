@@ -37,7 +37,7 @@ OPEN_TEXT = define(
     "L103",
     "unterminated-text",
     Severity.ERROR,
-    "a text in quotes does not end on its line",
+    "quotes are not closed on their line",
     """
 A text starts and ends with a straight double quote on one line. Write `\\"` for a quote and `\\n` for a
 new line inside it.

@@ -121,7 +121,7 @@ def _bad(line: str, at: int) -> Fault:
             kinds.OPEN_TEXT,
             at,
             end if end >= 0 else len(line),
-            "the text does not end",
+            "the quotes are not closed on this line",
             'add a `"` at its end',
         )
     shown = character if character.isprintable() else f"U+{ord(character):04X}"

@@ -20,7 +20,7 @@ def unread(document: Document, found: FoundName, uses: Uses) -> Refusal | None:
     word = re.compile(rf"\b{re.escape(found.name)}\b")
     for span in uses.broken:
         if any(word.search(document.line(line - 1)) for line in range(span.line, span.end_line + 1)):
-            return Refusal(f"line {span.line} names `{found.name}` and cannot be read: mend it first")
+            return Refusal(f"line {span.line} names `{found.name}` and has an error: correct it first")
     return None
 
 

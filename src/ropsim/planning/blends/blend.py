@@ -31,10 +31,11 @@ class Stop(Enum):
     TURNS_BACK = "the path turns back on itself there"
     STANDS = "the tool only turns on one side of it"
     TOO_SMALL = "it is smaller than a micrometre"
-    NO_PATH = "there is no path between it and its neighbour"
+    NO_WAY_TO = "the arm is at its target already"
+    NO_WAY_ON = "the next move has the same target"
     UNREACHABLE = "the arm cannot follow the rounded corner"
-    QUICKER = "a stop takes less time than the way round so small a corner"
-    SLOWED = "a stop takes less time than the way round, for which joints must be slowed"
+    QUICKER = "a stop takes less time than to slow down for the bend of this zone"
+    SLOWED = "a stop takes less time than to slow down for the joints in this zone"
     NO_LOOK_AHEAD = "the controller does not look ahead"
 
 
@@ -95,8 +96,10 @@ def blend_between(chain: MotionChain, before: PlannedMove, behind: PlannedMove) 
     """
     if chain.controller.look_ahead < 1:
         return Stop.NO_LOOK_AHEAD
-    if before.joints is None or behind.joints is None:
-        return Stop.NO_PATH
+    if before.joints is None:
+        return Stop.NO_WAY_TO
+    if behind.joints is None:
+        return Stop.NO_WAY_ON
     meeting = meeting_of(before, behind)
     one, other = (
         tcp_path_of(chain.robot, joints, move.planned.X_MT, path)

@@ -104,8 +104,8 @@ def _slowed(move: PlannedMove, part: Slowed, joint: Joint, start: float, end: fl
     progress, origin = min(max(progress, 0.0), 1.0), move.move.origin
     return SLOWED.at(
         origin.span,
-        f"slowed down to {part.share:.0%} of the speed that its other limits allow, after {progress:.0%} of "
-        f"the move: joint `{joint.name}` is at its {_WORDS[part.quantity][0]} limit",
+        f"slowed down to {part.share:.0%} of the planned speed at {progress:.0%} of the planned duration: "
+        f"joint `{joint.name}` is at its {_WORDS[part.quantity][0]} limit",
         label=passes(origin),
         hint="another posture may need less of the joint; a lower speed of the whole move may be quicker",
         data={"joint": joint.name, "share": part.share, "place": progress},

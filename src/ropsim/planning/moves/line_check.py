@@ -84,7 +84,7 @@ def lost(line: Line, found: Follow, matrices: Array) -> Diagnostic:
                 *((shortfall_words(shortfall),) if shortfall else ()),
                 *external_notes(robot, here),
             ),
-            hint="shift the line, or use PTP where the path does not matter",
+            hint="shift the line, or use `mov` where the path does not matter",
             data=data,
         )
     return JUMP_ON_LINE.at(
@@ -92,7 +92,7 @@ def lost(line: Line, found: Follow, matrices: Array) -> Diagnostic:
         f"the joints would have to jump at {share:.0%} of the way",
         label=label,
         notes=singularity_notes(robot, q),
-        hint="turn the tool a little, shift the line, or use PTP for this part of the way",
+        hint="turn the tool a little, shift the line, or use `mov` for this part",
         data=data,
     )
 
@@ -115,7 +115,7 @@ def limit_refusals(line: Line, q: Array, limits: JointRange) -> tuple[Diagnostic
         f"joint `{joint.name}` passes its limit of {coordinate(joint, limit)} at {share:.0%} of the way, "
         f"the line needs {coordinate(joint, furthest)}",
         label=passes(line.move.origin),
-        hint="start the line in another posture, make it shorter, or use PTP",
+        hint="start the line in another posture, make it shorter, or use `mov`",
         data={
             **figures(joint, furthest, limit),
             "share": share,
@@ -136,7 +136,7 @@ def end_findings(move: MoveInstruction, q_end: Array) -> tuple[Diagnostic, ...]:
         move.origin.span,
         "the line reaches the pose of the target, but with other joint coordinates",
         label=passes(move.origin),
-        hint="use PTP to reach exactly these joint coordinates",
+        hint="use `mov` to reach exactly these joint coordinates",
     )
     return (finding,)
 

@@ -42,7 +42,7 @@ def _groups(contacts: Iterable[Contact]) -> Iterator[list[Contact]]:
 
 def _penetration(some: list[Contact], facts: RunFacts) -> Diagnostic:
     deepest = min(some, key=lambda one: one.distance)
-    words = f"collision {deepest.bodies}, {-1e3 * deepest.distance:.1f} mm{_where(some)}"
+    words = f"collision {deepest.bodies}, {-1e3 * deepest.distance:.1f} mm deep{_where(some)}"
     return _finding(PENETRATION, words, AROUND, some, deepest, facts)
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Hashable, Mapping
 from typing import Protocol
 
-from ropsim.core import did_you_mean, frozen_dataclass
+from ropsim.core import did_you_mean, frozen_dataclass, there_are
 from ropsim.tasks.terms.fact_words import meeting_words
 from ropsim.tasks.terms.point import Point
 
@@ -77,9 +77,8 @@ class Missing:
     @property
     def hint(self) -> str:
         """Return the name that was probably meant, or some known ones."""
-        some = ", ".join(f"`{one}`" for one in self.known[:MOST_NAMED])
         none = f"the cell has no {self.kind}s"
-        return did_you_mean(self.name, self.known) or (f"there are {some}" if some else none)
+        return did_you_mean(self.name, self.known) or there_are(self.known[:MOST_NAMED]) or none
 
 
 class Geometry(Protocol):

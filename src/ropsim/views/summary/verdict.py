@@ -79,7 +79,7 @@ def _collision(summary: Summary) -> str:
     if not found:
         return ""
     deepest = min(found, key=lambda one: float(str(one.data["distance_m"])))
-    bodies = f"{deepest.data['bodies']}, {-1e3 * float(str(deepest.data['distance_m'])):.1f} mm"
+    bodies = f"{deepest.data['bodies']}, {-1e3 * float(str(deepest.data['distance_m'])):.1f} mm deep"
     lines = sorted({one.span.line for one in found if one.span})
     return f"collision{_on(lines)}: {bodies}"
 

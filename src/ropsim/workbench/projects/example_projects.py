@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from ropsim.core import did_you_mean, retried
+from ropsim.core import did_you_mean, retried, there_are
 from ropsim.userfiles import STARTER, example_names, examples_folder
 from ropsim.workbench.project_diagnostics import NO_EXAMPLE, PLACE_TAKEN
 from ropsim.workbench.projects.project import ProjectError
@@ -24,8 +24,7 @@ def new_project(place: str | Path, example: str = STARTER) -> Path:
         ProjectError: unknown example, or the place is taken or cannot be written.
     """
     if example not in example_names():
-        known = ", ".join(f"`{name}`" for name in example_names())
-        message = f"there is no example `{example}`, there are {known}"
+        message = f"there is no example `{example}`, {there_are(example_names())}"
         raise ProjectError(NO_EXAMPLE.at(None, message, hint=did_you_mean(example, example_names())))
 
     def fill(folder: Path, name: str) -> None:

@@ -14,6 +14,7 @@ from ropsim.workbench.sessions.session_words import with_hints
 if TYPE_CHECKING:
     from ropsim.simulation import RunOptions
 
+_LEAVING = ("quit", "exit")
 HELP = """\
 A statement of the task language is carried out at once; one that fails changes nothing. The declarations and
 tasks of the project's program are known. A block is carried out when it is closed, or at an empty line.
@@ -72,8 +73,9 @@ class Reply:
 
 
 def is_complete(lines: str) -> bool:
-    """Return whether the input is complete: an empty line ends it, or all blocks are closed."""
-    return not lines.rpartition("\n")[2].strip() or not goes_on(lines)
+    """Return whether the input is complete: an empty line or `quit` ends it, or all blocks are closed."""
+    last = lines.rpartition("\n")[2].strip()
+    return not last or _leaves(last) or not goes_on(lines)
 
 
 def reply_to(session: Session, line: str, options: "RunOptions") -> Reply:
@@ -90,14 +92,19 @@ def reply_to(session: Session, line: str, options: "RunOptions") -> Reply:
         return Reply(session, Outcome.REFUSED, diagnostics=(error.diagnostic,))
 
 
+def _leaves(said: str) -> bool:
+    return said.lower() in _LEAVING
+
+
 def _reply(session: Session, said: str, line: str, options: "RunOptions") -> Reply:
+    earlier, _, last = said.rpartition("\n")
+    if _leaves(last.strip()):
+        return Reply(session, Outcome.OVER, diagnostics=_unfinished(earlier))
     head, _, rest = said.partition(" ")
     word, name = head.lower(), rest.strip()
     if name.startswith("="):  # a variable has the name of a word
         return _told(session, line, options)
     match word, name:
-        case "quit" | "exit", "":
-            return Reply(session, Outcome.OVER)
         case "help", "":
             return Reply(session, Outcome.ANSWERED, tuple(HELP.splitlines()))
         case "list", "":
@@ -118,6 +125,15 @@ def _reply(session: Session, said: str, line: str, options: "RunOptions") -> Rep
             return Reply(session, Outcome.ANSWERED, program=_program(session, name, options))
         case _:
             return _told(session, line, options)
+
+
+def _unfinished(earlier: str) -> tuple[Diagnostic, ...]:
+    """Return an error for lines that `quit` cuts off; empty if there are none."""
+    first = earlier.partition("\n")[0].strip()
+    if not first:
+        return ()
+    message = f"`{first}` has no end, it is not carried out"
+    return (NOT_IN_SESSION.at(None, message, hint="close the block, or type an empty line, before `quit`"),)
 
 
 def _program(session: Session, name: str, options: "RunOptions") -> SavedProgram:

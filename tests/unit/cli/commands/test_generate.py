@@ -65,7 +65,7 @@ def test_each_answer_is_judged_and_asked_again_and_a_task_can_be_left_out(
     assert main(["generate", str(tmp_path)]) == 1
     said = capsys.readouterr()
     assert "Location not defined: `s2`" in said.err
-    assert "there are `s1`" in said.err
+    assert "there is only `s1`" in said.err
     assert "at least 0 mm, given: -2 mm" in said.err
     assert said.out.count("TASK NAME: ") == 3
     assert "place s1, 5 mm  `place` is not possible now" in said.out

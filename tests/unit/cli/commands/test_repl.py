@@ -141,3 +141,42 @@ def test_words_to_the_session_that_are_misspelt_are_told(
     assert printed.out.splitlines()[1:] == ["there is no command to take back"]
     hints = [line.split("did you mean ")[1] for line in printed.err.splitlines() if "did you mean" in line]
     assert hints == ["`help`?", "`undo`?", "`save`?", "`mov`?"]
+
+
+@pytest.mark.parametrize(
+    "opener",
+    [
+        "try",
+        "parallel",
+        "on lamp",
+        "repeat 2 3",
+        "while",
+        "for i",
+        "if",
+        "with speed",
+        "task",
+        "catch",
+        "sync",
+    ],
+)
+def test_a_refused_opener_opens_no_block(
+    opener: str, project: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert said(project, f"{opener}\nwait 1 s\nquit\nwait 5 s\n", monkeypatch) == 1
+    printed = capsys.readouterr()
+    assert printed.out.splitlines()[1:] == [printed.out.splitlines()[0].replace("0.000 s (+0", "1.000 s (+1")]
+    assert "error[" in printed.err
+    assert "`quit`" not in printed.err
+
+
+@pytest.mark.parametrize(
+    "begun", ["repeat 2", "repeat 2\n  try", "lin (300,", "wait 1 s + \\", "task T\n  open"]
+)
+def test_quit_always_quits(
+    begun: str, project: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert said(project, f"wait 1 s\n{begun}\nQuit\nwait 5 s\n", monkeypatch) == 1
+    printed = capsys.readouterr()
+    assert len(printed.out.splitlines()) == 2
+    assert printed.err.count("error[") == 1
+    assert f"`{begun.splitlines()[0]}` has no end, it is not carried out" in printed.err

@@ -58,7 +58,19 @@ def test_a_text_that_is_not_whole_goes_on(text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["", "mov a", "repeat 2\nend", "if a then mov b", "endr", "lin (1, 2))", "??"]
+    "text",
+    [
+        "",
+        "mov a",
+        "repeat 2\nend",
+        "if a then mov b",
+        "endr",
+        "lin (1, 2))",
+        "??",
+        "try",
+        "\n  repeat 2 3",
+        "while",
+    ],
 )
 def test_a_text_that_is_whole_does_not(text: str) -> None:
     assert not goes_on(text)

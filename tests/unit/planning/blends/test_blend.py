@@ -141,8 +141,8 @@ def test_a_tool_that_only_turns_on_one_side_of_two_lines_is_a_stop() -> None:
 
 
 def test_there_is_no_way_round_where_a_move_leads_nowhere() -> None:
-    assert between(lin(FIRST), lin(FIRST), 0.01) is Stop.NO_PATH
-    assert between(lin(HERE), lin(FIRST), 0.01) is Stop.NO_PATH
+    assert between(lin(FIRST), lin(FIRST), 0.01) is Stop.NO_WAY_ON
+    assert between(lin(HERE), lin(FIRST), 0.01) is Stop.NO_WAY_TO
 
 
 @pytest.mark.parametrize("zone", [1e-300, 1e-160, 1e-18, 1e-12, 0.9e-6])

@@ -36,7 +36,7 @@ def test_a_zone_for_which_joints_would_be_slowed_for_longer_is_left_and_said() -
     walk = hairpins(chain, np.random.default_rng(6))
     achieved, _ = plan(chain, walk.moves, MotionState.at_rest(walk.q_start))
     assert achieved is not None
-    left = [one for one in achieved.findings if "for which joints must be slowed" in one.message]
+    left = [one for one in achieved.findings if "to slow down for the joints" in one.message]
     assert {one.code for one in left} == {"M560"}
     assert len(left) <= [move.zone for move in achieved.moves[:-1]].count(0.0)
 

@@ -364,7 +364,7 @@ def test_a_tool_without_a_gripper_is_told_and_counts_no_more_once_it_is_changed(
     ("call", "message", "hint"),
     [
         ("pick fed", "Location not defined: `fed`", "did you mean `feed`?"),
-        ("pick nowhere", "Location not defined: `nowhere`", "there are `feed`"),
+        ("pick nowhere", "Location not defined: `nowhere`", "there is only `feed`"),
     ],
 )
 def test_a_location_that_nobody_knows_is_told_with_a_near_name(call: str, message: str, hint: str) -> None:

@@ -33,13 +33,13 @@ def test_a_run_is_good_only_where_it_came_to_its_end_with_nothing_found(
     ("lines", "said"),
     [
         ((), "ran to the end with 1 warning"),
-        ((9, 9), "failed: collision on line 9: jaws – box 1, 2.0 mm; 2 errors, 1 warning"),
-        ((9, 17, 9), "failed: collision on lines 9 and 17: jaws – box 2, 3.0 mm; 3 errors, 1 warning"),
+        ((9, 9), "failed: collision on line 9: jaws – box 1, 2.0 mm deep; 2 errors, 1 warning"),
+        ((9, 17, 9), "failed: collision on lines 9 and 17: jaws – box 2, 3.0 mm deep; 3 errors, 1 warning"),
         (
             (1, 2, 3, 4),
-            "failed: collision on lines 1, 2, 3 and 4: jaws – box 3, 4.0 mm; 4 errors, 1 warning",
+            "failed: collision on lines 1, 2, 3 and 4: jaws – box 3, 4.0 mm deep; 4 errors, 1 warning",
         ),
-        ((1, 2, 3, 4, 5), "failed: collision on 5 lines: jaws – box 4, 5.0 mm; 5 errors, 1 warning"),
+        ((1, 2, 3, 4, 5), "failed: collision on 5 lines: jaws – box 4, 5.0 mm deep; 5 errors, 1 warning"),
     ],
 )
 def test_a_collision_fails_the_run_and_the_deepest_one_is_named_first(

@@ -4,7 +4,7 @@ from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any, NoReturn
 
-from ropsim.core import Diagnostic, Kind, Span, did_you_mean, frozen_dataclass, maker
+from ropsim.core import Diagnostic, Kind, Span, did_you_mean, frozen_dataclass, maker, there_are
 from ropsim.language.check.scope.fold import IDENTITY
 from ropsim.language.check.scope.in_force import FrameInForce
 from ropsim.language.check.scope.sight import NOTHING_BEFORE, Sight
@@ -334,8 +334,7 @@ class Body:
         hint = did_you_mean(name.text, known_names)
         fix = hint.split("`")[1] if hint else None
         if not hint:
-            listed = ", ".join(f"`{n}`" for n in known_names[:8])
-            hint = f"there are {listed}" if listed else f"no {what} is defined"
+            hint = there_are(known_names[:8]) or f"no {what} is defined"
         self.fail(kind, name, f"there is no {what} `{name.text}`", hint, fix=fix)
 
     # --- scopes

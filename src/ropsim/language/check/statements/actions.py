@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
-from ropsim.core import Kind, did_you_mean
+from ropsim.core import Kind, did_you_mean, there_are
 from ropsim.flow import GripAction
 from ropsim.language.check.doubts import numerals, plausible
 from ropsim.language.check.expressions import convert, frames, shown, values
@@ -62,10 +62,8 @@ def _refuse_undeclared(body: Body, kind: Kind, name: Name, what: str, candidates
         RejectedError: it is near to none.
     """
     if not did_you_mean(name.text, candidates):
-        listed = ", ".join(f"`{one}`" for one in sorted(candidates)[:8]) if what == "output" else ""
-        hint = f"declare it in the cell file: `[signals.{name.text}]`" + (
-            f"; there are {listed}" if listed else ""
-        )
+        listed = there_are(sorted(candidates)[:8]) if what == "output" else ""
+        hint = f"declare it in the cell file: `[signals.{name.text}]`" + (f"; {listed}" if listed else "")
         body.fail(kind, name, f"there is no {what} `{name.text}`", hint)
 
 

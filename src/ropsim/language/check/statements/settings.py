@@ -30,7 +30,8 @@ _NOTHING = Settings()
 _LEAST, _MOST = 5.0, 100.0
 """A bare number between these is taken for a share where one is meant [%]."""
 _OF_TOOL = {"speed": "speed 200 mm/s", "acc": "acc 1000 mm/s2"}
-_ALLOWED = {"speed": "a speed (mm/s, deg/s) or a share (%)", "acc": "an acceleration (mm/s2) or a share (%)"}
+_ALLOWED = {"speed": "a speed or a share", "acc": "an acceleration or a share"}
+_UNITS = {"speed": "`mm/s`, `deg/s` or `%`", "acc": "`mm/s2` or `%`"}
 
 
 def gather(
@@ -150,9 +151,7 @@ def _wanted(body: Body, setting: Setting, value: Value) -> Type:
         return _BARE[setting.word]
     if kind.value is not _REAL or (setting.word, kind.dimension) not in _FIELDS:
         message = f"`{setting.word}` needs {_ALLOWED[setting.word]}, found {article(kind)}"
-        hint = "write a unit behind the number"
-        if kind.dimension != units.NUMBER:
-            hint = "its unit is of another sort: write one of those in parentheses"
+        hint = f"give the value in {_UNITS[setting.word]}"
         body.fail(kinds.WRONG_DIMENSION, setting.value, message, hint)
     return kind
 
