@@ -453,3 +453,26 @@ def test_a_higher_speed_costs_no_time_on_an_arc() -> None:
     ]
     assert times[0] > 1.2 * min(times)
     assert all(later < 1.01 * earlier for earlier, later in pairwise(times))
+
+
+@pytest.mark.parametrize(
+    "points",
+    [
+        ((100.0, 0.0, 0.0), (100.5, 0.0, 0.0), (100.0, 0.5, 0.0)),
+        ((0.5, 0.0, 0.0), (0.0, 0.5, 0.0), (-100.0, 100.0, 0.0)),
+        ((31.0, 66.0, 64.0), (30.0, 72.0, 67.0), (31.5, 72.6, 68.0), (31.0, 72.4, 67.7)),
+    ],
+    ids=["bent at the end", "bent at the start", "bent in space"],
+)
+def test_a_spline_with_a_tight_bend_at_an_end_is_followed_within_its_limits(
+    points: tuple[tuple[float, float, float], ...],
+) -> None:
+    *via, target = (shifted(HERE, *(0.001 * one for one in point)) for point in points)
+    modal = ModalState(path_speed=0.01, path_acceleration=0.2)
+    done = planned(MoveInstruction(MotionKind.SPLINE, target, modal, Origin(LINE, 1), via=tuple(via)))
+    (segment,) = done.path_segments
+    assert segment.path is not None
+    tool = forward_batch(CHAIN.robot, done.reference.q)[:, :3, 3]
+    assert segment.path.distance(tool).max() < 1e-6
+    assert np.linalg.norm(np.diff(tool, axis=0), axis=1).max() < 1.001 * 0.01 * PERIOD
+    assert np.linalg.norm(np.diff(tool, 2, axis=0), axis=1).max() < 1.001 * 0.2 * PERIOD**2

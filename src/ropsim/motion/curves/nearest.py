@@ -10,7 +10,7 @@ from ropsim.spatial import Array
 IntArray = npt.NDArray[np.int64]
 
 _BLOCK = 64  # grid points that share one ball
-_STEPS = 12  # of Newton's method at most; it starts within one step of the grid and doubles its digits
+_STEPS = 16  # of Newton's method at most; it starts within one step of the grid and doubles its digits
 _CLOSE = 1e-9  # steps of the grid; the distance is flat at the nearest point, so its error is far smaller
 _APART = 3  # steps of the grid beyond which a point is of another part of the curve that comes near
 _PAIRS = 2**18  # of points and balls that are compared at a time
@@ -48,9 +48,16 @@ def distances(points: Array, curve: Callable[[Array], tuple[Array, Array, Array]
 def _down_from(
     near: IntArray, points: Array, curve: Callable[[Array], tuple[Array, Array, Array]], grid: Array
 ) -> Array:
-    """Return the distance of each point at the foot of the slope on which a point of the grid lies, (k,)."""
+    """Return the distance of each point at the foot of the slope on which a point of the grid lies, (k,).
+
+    The sign of the slope says on which side of a parameter the foot is. A step of Newton's method beyond a
+    parameter that is known to be on the other side is replaced by half of the way to it, for derivatives jump
+    from segment to segment.
+    """
     t = grid[near]
     low, high = grid[np.maximum(near - 1, 0)], grid[np.minimum(near + 1, len(grid) - 1)]
+    step = high - low
+    is_below, is_above = np.zeros((2, len(points)), dtype=bool)  # whether the foot is known to be so
     best = np.full(len(points), np.inf)
     for _ in range(_STEPS):
         p, d1, d2 = curve(t)
@@ -59,8 +66,12 @@ def _down_from(
         slope, square = np.einsum("ki,ki->k", offset, d1), np.einsum("ki,ki->k", d1, d1)
         bend = square + np.einsum("ki,ki->k", offset, d2)
         # beyond the centre of a bend the distance has a greatest value there: the square alone leads down
-        before, t = t, np.clip(t - slope / np.where(bend > 0.0, bend, square), low, high)
-        if (np.abs(t - before) <= _CLOSE * (high - low)).all():
+        wanted = t - slope / np.where(bend > 0.0, bend, square)
+        low, high = np.where(slope < 0.0, t, low), np.where(slope > 0.0, t, high)
+        is_above, is_below = is_above | (slope < 0.0), is_below | (slope > 0.0)
+        is_other_side = (is_above & (wanted <= low)) | (is_below & (wanted >= high))
+        before, t = t, np.where(is_other_side, 0.5 * (low + high), np.clip(wanted, low, high))
+        if (np.abs(t - before) <= _CLOSE * step).all():
             break
     return np.asarray(np.minimum(best, _lengths(curve(t)[0] - points)))
 

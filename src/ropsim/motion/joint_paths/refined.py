@@ -21,9 +21,10 @@ derivatives."""
 class Refined:
     """A path of the joints in which others replace some of its parts.
 
-    Where a part begins and ends, both paths have nearly the same values and derivatives: the maker of one
-    guarantees that. Their difference is added to the part there, and fades out with a polynomial of fifth
-    degree, so that values and two derivatives are continuous.
+    Where a part begins and ends inside of the path, both have nearly the same values and derivatives; the
+    maker guarantees that. Their difference is added to the part there, and fades out with a polynomial of
+    fifth degree, so that values and two derivatives are continuous. A part at an end of the path is unchanged
+    there: it is the more exact one.
 
     Attributes:
         whole: the path.
@@ -77,7 +78,9 @@ class Refined:
         width = _SEAM * part.length
         lacks = there.q - own.q, (there.d1 - own.d1) * inwards * width, (there.d2 - own.d2) * width**2
         nothing = np.zeros_like(there.q)
-        return frozen(with_derivatives(quintics(np.stack((*lacks, nothing, nothing, nothing), axis=1))))
+        rows = np.stack((*lacks, nothing, nothing, nothing), axis=1)
+        inside = _inside(self.whole, begin, part)[:, None, None]
+        return frozen(with_derivatives(quintics(np.where(inside, rows, 0.0))))
 
     def _seams_at(self, number: int, s: Array) -> Array:
         """Return the added correction at path parameters of a part, with two derivatives, shape (3, k, n)."""
@@ -94,7 +97,7 @@ class Refined:
 
 
 def joins(whole: JointPath, begin: float, part: JointPath, step: float, within: float) -> bool:
-    """Return whether a part goes over into the path around it, at both of its ends.
+    """Return whether a part goes over into the path around it, at its ends inside of the path.
 
     Values, first derivatives over a step and second ones over its square differ by no more than `within`.
 
@@ -105,10 +108,18 @@ def joins(whole: JointPath, begin: float, part: JointPath, step: float, within: 
         step: from row to row of the path, in its unit.
         within: [rad | m].
     """
-    ends = np.array([0.0, part.length])
+    ends = np.array([0.0, part.length])[_inside(whole, begin, part)]
+    if not len(ends):
+        return True
     there, own = whole.joints(begin + ends), part.joints(ends)
     off = (there.q - own.q, (there.d1 - own.d1) * step, (there.d2 - own.d2) * (step * step))
     return float(np.abs(np.stack(off)).max()) <= within
+
+
+def _inside(whole: JointPath, begin: float, part: JointPath) -> npt.NDArray[np.bool_]:
+    """Return which ends of a part, its begin and its end, are inside of the path, shape (2,)."""
+    least = _SEAM * part.length
+    return np.array([begin > least, begin + part.length < whole.length - least])
 
 
 def parts_by_error(error: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:

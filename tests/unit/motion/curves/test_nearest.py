@@ -49,3 +49,16 @@ def test_the_ends_are_the_nearest_places_of_what_lies_beyond_them() -> None:
 
 def test_no_points_have_no_distances() -> None:
     assert distances(np.empty((0, 3)), helix, np.linspace(0.0, 1.0, 9)).shape == (0,)
+
+
+def test_points_before_a_short_segment_are_found_on_the_long_one() -> None:
+    """The derivative by the parameter jumps to a 400th, and Newton's method steps over the junction."""
+
+    def uneven(t: Array) -> tuple[Array, Array, Array]:
+        is_long, nothing = t < 1.0, np.zeros(len(t))
+        x = np.where(is_long, 0.2 * t**2, 0.2 + 0.001 * (t - 1.0)), np.where(is_long, 0.4 * t, 0.001)
+        rows = [np.stack((one, nothing, nothing), axis=1) for one in (*x, np.where(is_long, 0.4, 0.0))]
+        return rows[0], rows[1], rows[2]
+
+    points = uneven(np.linspace(0.96, 1.2, 500))[0]
+    assert distances(points, uneven, np.linspace(0.0, 2.0, 33)).max() < ROUNDING

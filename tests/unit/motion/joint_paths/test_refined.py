@@ -42,6 +42,20 @@ def test_a_part_joins_only_where_values_and_slopes_go_on(aside: float, slope: fl
     assert fits == (aside == slope == 0.0)
 
 
+@pytest.mark.parametrize("share", [0.0, 0.75])
+def test_a_part_at_an_end_of_the_path_joins_at_its_other_end_and_counts_there(share: float) -> None:
+    whole = JointLine(np.zeros(2), np.array([1.0, 2.0]))
+    begin, length = share * whole.length, 0.25 * whole.length
+    rows = whole.joints(begin + np.linspace(0.0, length, 9)).q
+    rows[0 if share == 0.0 else -1] += 1e-4
+    part = SampledPath(length, rows)
+    assert joins(whole, begin, part, 1e-4 * whole.length, 5e-8)
+    at_end = np.array([0.0 if share == 0.0 else whole.length])
+    found, exact = Refined(whole, np.array([begin]), (part,)).joints(at_end), part.joints(at_end - begin)
+    np.testing.assert_allclose(found.q, exact.q, rtol=0.0, atol=1e-15)
+    np.testing.assert_allclose(found.d1, exact.d1, rtol=1e-12)
+
+
 def test_rows_that_are_missed_make_one_part_with_their_neighbours() -> None:
     rough = np.zeros(50, dtype=bool)
     rough[[0, 20, 24, 49]] = True
