@@ -25,7 +25,7 @@ from ropsim.core.catalogue import define
 from ropsim.core.diagnostic import Diagnostic, Severity
 from ropsim.core.disk.own_folder import ForeignFolderError, OwnFolder
 from ropsim.core.disk.turns import turn
-from ropsim.core.disk.user_folders import CACHE_OVERRIDE, cache_folder
+from ropsim.core.disk.user_folders import CACHE_OVERRIDE, cache_folder, relative_cache_override
 
 _SEAL = 32
 """Bytes of the digest in front of an entry."""
@@ -59,6 +59,19 @@ NO_CACHE = define(
 The cache folder cannot be made or written: it is read only, the disk is full, or the user has no home
 folder. Everything works as usual, but each start compiles its code anew, which takes longer.
 `ROPSIM_CACHE_DIR` names another folder by an absolute path.
+""",
+)
+
+
+RELATIVE_CACHE = define(
+    "X921",
+    "cache-path-relative",
+    Severity.WARNING,
+    "`ROPSIM_CACHE_DIR` is a relative path: it is not used",
+    """
+A relative path would lead into the folder in which a command runs, and so into a project that another person
+may have written. Compiled code is run from the cache, so the variable counts only where it names an absolute
+path. The usual cache folder of the user is used instead.
 """,
 )
 
@@ -113,13 +126,18 @@ class KeptFiles:
 
     @contextlib.contextmanager
     def _opened(self) -> Iterator[OwnFolder]:
-        with OwnFolder.at(self._around()) as around, around.inner(self._room) as room:
+        with OwnFolder.at(self._folder()) as around, around.inner(self._room) as room:
             yield room
 
     @contextlib.contextmanager
     def _made(self) -> Iterator[OwnFolder]:
-        with OwnFolder.made_at(self._around()) as around, around.made_inner(self._room) as room:
+        with OwnFolder.made_at(self._folder()) as around, around.made_inner(self._room) as room:
             yield room
+
+    def _folder(self) -> Path:
+        if self._around is cache_folder and (path := relative_cache_override()):
+            _unused(path)
+        return self._around()
 
     def _sealed(self, name: str, entry: bytes) -> bytes:
         """Return the digest of an entry in its place."""
@@ -149,6 +167,14 @@ def _refused(error: ForeignFolderError) -> None:
     hint = f"remove it, let only yourself use it (`chmod 700`), or name another folder by `{CACHE_OVERRIDE}`"
     _findings[FOREIGN_CACHE.code] = FOREIGN_CACHE.at(
         None, f"{error}: what is kept there is not used, and code is compiled anew", hint=hint
+    )
+
+
+def _unused(path: str) -> None:
+    _findings[RELATIVE_CACHE.code] = RELATIVE_CACHE.at(
+        None,
+        f"`{CACHE_OVERRIDE}` is `{path}`, a relative path: it is not used",
+        hint="write an absolute path, or unset the variable",
     )
 
 

@@ -30,6 +30,12 @@ def cache_folder() -> Path:
     return _named(CACHE_OVERRIDE) or _absolute(_cache)
 
 
+def relative_cache_override() -> str:
+    """Return the path in `ROPSIM_CACHE_DIR` that is not used because it is relative; else an empty string."""
+    named = os.environ.get(CACHE_OVERRIDE, "")
+    return "" if Path(named).is_absolute() else named
+
+
 def configuration_folder() -> Path:
     """Return the folder of the user's decisions, such as which project folders are trusted.
 

@@ -226,6 +226,30 @@ def test_a_folder_that_cannot_be_made_is_said_and_work_goes_on(tmp_path: Path) -
     del tmp_path
 
 
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the usual folder is that of XDG")
+@pytest.mark.parametrize("path", ["rel", "./rel", "~/rel"])
+def test_a_relative_path_of_the_cache_is_said_and_the_usual_folder_used(
+    path: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "usual"))
+    monkeypatch.setenv("ROPSIM_CACHE_DIR", path)
+    kept_files._findings.clear()
+    kept = KeptFiles("room", 1_000_000, LARGEST)
+    kept.keep(NAME, ENTRY)
+    assert kept.find(NAME) == ENTRY
+    (said,) = kept_findings()
+    assert (said.code, said.message) == (
+        "X921",
+        f"`ROPSIM_CACHE_DIR` is `{path}`, a relative path: it is not used",
+    )
+    assert [one.name for one in tmp_path.iterdir()] == ["usual"]
+    monkeypatch.setenv("ROPSIM_CACHE_DIR", "")
+    kept_files._findings.clear()
+    assert kept.find(NAME) == ENTRY
+    assert kept_findings() == ()
+
+
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="a disk that is always full")
 def test_a_disk_that_is_full_leaves_no_rest(
     kept: KeptFiles, folder: Path, monkeypatch: pytest.MonkeyPatch
