@@ -152,9 +152,9 @@ def _joint_figures(joints: tuple[JointSummary, ...]) -> list[Card]:
             with_unit(closest.nearest.margin, coordinate_scale(closest.facts.type), 1),
             closest.margin_closeness,
         )
-        result.append(("closest to a limit", margin, f"joint {text(closest.name)}, {closest.nearest.side}"))
+        result.append(("closest to a limit", margin, f"{text(closest.words)}, {closest.nearest.side}"))
     return result
 
 
 def _of_the_limit(joint: JointSummary) -> str:
-    return f"of the limit, joint {text(joint.name)}"
+    return f"of the limit, {text(joint.words)}"

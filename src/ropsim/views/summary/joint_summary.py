@@ -81,6 +81,12 @@ class JointSummary:
     following_rms: float
 
     @property
+    def words(self) -> str:
+        """Return the joint in a sentence: `joint 3`, with several stations `right: joint 3`."""
+        alone = f"joint {self.facts.name}"
+        return alone if self.name == self.facts.name else f"{self.station}: {alone}"
+
+    @property
     def effort_share(self) -> float:
         """Return the peak torque as a share of the limit; NaN where there is no limit."""
         return share(self.effort.size, self.facts.max_effort)

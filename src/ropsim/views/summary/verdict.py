@@ -70,7 +70,7 @@ def _near_end(summary: Summary) -> str:
     is_beyond = worst.margin_closeness is Closeness.BEYOND
     how = f"is {margin} beyond" if is_beyond else f"comes within {margin} of"
     more = f", {len(near) - 1} more within 1° or 1 mm" if len(near) > 1 else ""
-    return f"joint {clean(worst.name)} {how} the end of its range{more}"
+    return f"{clean(worst.words)} {how} the end of its range{more}"
 
 
 def _collision(summary: Summary) -> str:

@@ -204,6 +204,8 @@ def test_several_stations_are_told_apart_by_their_names() -> None:
     summary = summarize(two_stations())
     alone = summarize(one)
     assert [joint.name for joint in summary.joints[::6]] == ["left 1", "right 1"]
+    assert [joint.words for joint in summary.joints[::6]] == ["left: joint 1", "right: joint 1"]
+    assert alone.joints[0].words == "joint 1"
     assert [joint.effort for joint in summary.joints[6:]] == [joint.effort for joint in alone.joints]
     assert {task.name for task in summary.tasks} == {
         f"{name} {task.name}" for name in ("left", "right") for task in alone.tasks
