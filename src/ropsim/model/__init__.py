@@ -91,6 +91,7 @@ from ropsim.model.drives.hydraulics import HydraulicMotor as HydraulicMotor
 from ropsim.model.drives.linkage import Linkage as Linkage
 from ropsim.model.drives.linkage import Point as Point
 from ropsim.model.drives.linkage import linkage as linkage
+from ropsim.model.findings.number_range import ModelValueError as ModelValueError
 from ropsim.model.findings.place import Attribute as Attribute
 from ropsim.model.findings.place import AuditPlace as AuditPlace
 from ropsim.model.findings.place import PlaceOf as PlaceOf
@@ -137,7 +138,6 @@ from ropsim.model.mechanism.mechanism_check import check_counts as check_counts
 from ropsim.model.mechanism.mechanism_check import check_mechanism as check_mechanism
 from ropsim.model.mechanism.mechanism_check import check_open as check_open
 from ropsim.model.mechanism.mechanism_check import mechanism_findings as mechanism_findings
-from ropsim.model.mechanism.number_check import ModelValueError as ModelValueError
 from ropsim.model.mechanism.number_check import check_body as check_body
 from ropsim.model.mechanism.number_check import is_symmetric as is_symmetric
 from ropsim.model.mechanism.number_check import number_findings as number_findings

@@ -2,9 +2,11 @@
 
 from dataclasses import fields
 from enum import Enum
+from typing import ClassVar
 
 from ropsim.core import frozen_dataclass
 from ropsim.flow import ParameterOrigin
+from ropsim.model.findings.number_range import COORDINATE, EXTENT, RATE, TIME, Ranges, between, whole
 from ropsim.spatial import Array, frozen, record
 
 
@@ -43,6 +45,8 @@ class CorrectionLimits:
         acceleration: greatest acceleration of it [m/s²].
     """
 
+    RANGES: ClassVar[Ranges] = {"size": EXTENT, "speed": RATE, "acceleration": RATE}
+
     size: float = 0.02
     speed: float = 0.02
     acceleration: float = 0.5
@@ -66,6 +70,12 @@ class Rates:
         plant_steps: integration steps of drives and arm per control tick. With two, a palletizing run of the
             PUMA 560 is within 1.5e-8 rad and 1.1e-5 of the largest torque of one with sixteen.
     """
+
+    RANGES: ClassVar[Ranges] = {
+        "control_hz": whole(1, 1_000_000, "Hz"),
+        "interpolation_ticks": whole(1, 1_000_000),
+        "plant_steps": whole(1, 10_000),
+    }
 
     control_hz: int = 1000
     interpolation_ticks: int = 4
@@ -103,6 +113,8 @@ class CascadedGains:
         ka: voltage fed forward for the reference acceleration [V·s²/rad].
     """
 
+    RANGES: ClassVar[Ranges] = dict.fromkeys(GAIN_NAMES, COORDINATE)
+
     kp: Array
     kv: Array
     ki: Array
@@ -129,6 +141,8 @@ class ComputedTorqueGains:
         kd: [1/s].
     """
 
+    RANGES: ClassVar[Ranges] = {"kp": COORDINATE, "kd": COORDINATE}
+
     kp: Array
     kd: Array
 
@@ -140,6 +154,8 @@ class ComputedTorqueGains:
 @frozen_dataclass
 class NoGains:
     """The gains of the ideal joint controller: there are none."""
+
+    RANGES: ClassVar[Ranges] = {}
 
 
 Gains = CascadedGains | ComputedTorqueGains | NoGains
@@ -162,6 +178,15 @@ class PathDefaults:
         orientation_acceleration: [rad/s²].
         orientation_jerk: [rad/s³].
     """
+
+    RANGES: ClassVar[Ranges] = {
+        "speed": RATE,
+        "acceleration": RATE,
+        "jerk": RATE,
+        "orientation_speed": RATE,
+        "orientation_acceleration": RATE,
+        "orientation_jerk": RATE,
+    }
 
     speed: float = 0.25
     acceleration: float = 2.0
@@ -192,6 +217,15 @@ class ControllerModel:
         correction: how far and how quickly a sensor may shift a path.
         origins: where the gains come from.
     """
+
+    RANGES: ClassVar[Ranges] = {
+        "in_position": between(0.0, 1e9),
+        "settle_timeout": TIME,
+        "settle_time": TIME,
+        "speed_override": between(1e-6, 1.0),
+        "look_ahead": whole(0, 1_000_000, "moves"),
+        "via_zone": EXTENT,
+    }
 
     kind: ControllerKind
     rates: Rates

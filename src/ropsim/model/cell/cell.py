@@ -2,14 +2,16 @@
 
 from collections.abc import Mapping
 from dataclasses import field, replace
+from typing import ClassVar
 
 from ropsim.core import frozen_dataclass, plural
-from ropsim.model.cell.device import Device
+from ropsim.model.cell.device import BeltDrive, Device
 from ropsim.model.cell.frame import Frame
 from ropsim.model.cell.part import Part
 from ropsim.model.cell.signal import Signal
 from ropsim.model.cell.station import Station
 from ropsim.model.cell.surroundings import FixedObject, Sink, SupportLimits
+from ropsim.model.findings.number_range import COORDINATE, EXTENT, POSITIVE, Ranged, Ranges, check_ranges
 from ropsim.spatial import Pose, fingerprint, record
 
 
@@ -21,6 +23,8 @@ class ExternalValues:
         values: one for each external axis, in their order [rad | m].
         station: name of the station whose axes they are; empty for every station that has external axes.
     """
+
+    RANGES: ClassVar[Ranges] = {"values": COORDINATE}
 
     values: tuple[float, ...]
     station: str = ""
@@ -40,6 +44,8 @@ class ClassicSettings:
         angle: radians per unit of a bare angle.
         frame: name of the frame, empty for the base frame.
     """
+
+    RANGES: ClassVar[Ranges] = {"length": POSITIVE, "angle": POSITIVE}
 
     length: float = 0.01
     angle: float = 0.017453292519943295
@@ -67,7 +73,12 @@ class Cell:
         external: values of external axes at locations that define them, by name.
         tools: names of all tools, including tools without a station.
         clearance: required distance between moving bodies and all others in a run [m]; 0 for none.
+
+    Raises:
+        ModelValueError: a number of it is outside its range.
     """
+
+    RANGES: ClassVar[Ranges] = {"locations": COORDINATE, "clearance": EXTENT}
 
     name: str
     stations: Mapping[str, Station]
@@ -85,6 +96,9 @@ class Cell:
     tools: tuple[str, ...] = ()
     given: Mapping[str, str] = field(default_factory=dict)
     clearance: float = 0.0
+
+    def __post_init__(self) -> None:
+        check_ranges(f"cell `{self.name}`", _numbered(self))
 
     def __repr__(self) -> str:
         """Return one line: its name, the robots, and how many things of each sort there are."""
@@ -126,3 +140,21 @@ class Cell:
     def stations_of(self, program: str) -> tuple[Station, ...]:
         """Return all stations that run a program, by its name; the first one of the cell where none does."""
         return tuple(one for one in self.stations.values() if one.program == program) or (self.first,)
+
+
+def _numbered(cell: Cell) -> dict[str, Ranged]:
+    """Return the records of a cell that have numbers, by their path; stations and parts check their own."""
+    found: dict[str, Ranged] = {"": cell, "supports.": cell.supports, "classic.": cell.classic}
+    found |= {f"frames.{name}.": frame for name, frame in cell.frames.items()}
+    found |= {f"external.{name}.": values for name, values in cell.external.items()}
+    found |= {f"objects.{one.name}.": one for one in cell.objects}
+    found |= {f"sinks.{one.name}.": one for one in cell.sinks}
+    for name, device in cell.devices.items():
+        found |= {f"devices.{name}.": device, f"devices.{name}.drive.": device.drive}
+        if isinstance(device.drive, BeltDrive) and device.drive.barrier:
+            found[f"devices.{name}.drive.barrier."] = device.drive.barrier
+    for name, signal in cell.signals.items():
+        found[f"signals.{name}."] = signal
+        if signal.sensor:
+            found[f"signals.{name}.sensor."] = signal.sensor
+    return found

@@ -1,8 +1,9 @@
 """Devices: moving entities of a cell other than robots, controlled by signals: belts, doors, turntables."""
 
-from typing import TypeAlias
+from typing import ClassVar, TypeAlias
 
 from ropsim.core import frozen_dataclass
+from ropsim.model.findings.number_range import COORDINATE, EXTENT, RATE, Ranges
 from ropsim.model.mechanism.mechanism import Mechanism
 from ropsim.spatial import Pose, record
 
@@ -15,6 +16,8 @@ class Barrier:
         at: where along the belt the front of a part comes to rest [m].
         signal: name of the input that is on while a part is there.
     """
+
+    RANGES: ClassVar[Ranges] = {"at": COORDINATE}
 
     at: float
     signal: str
@@ -31,6 +34,8 @@ class BeltDrive:
         length: of the belt [m]; a part whose centre comes there has run off its end.
         barrier: stops parts on their way; None for none.
     """
+
+    RANGES: ClassVar[Ranges] = {"speed": RATE, "acceleration": RATE, "length": EXTENT}
 
     speed: float
     acceleration: float
@@ -53,6 +58,8 @@ class SwitchDrive:
         is_on: name of the input that is on while it stands at `on`; empty for none.
     """
 
+    RANGES: ClassVar[Ranges] = {"off": COORDINATE, "on": COORDINATE, "speed": RATE, "acceleration": RATE}
+
     signal: str
     off: float
     on: float
@@ -74,6 +81,8 @@ class IndexDrive:
         in_place: name of the input that is on while it stands still; empty for none.
     """
 
+    RANGES: ClassVar[Ranges] = {"step": COORDINATE, "speed": RATE, "acceleration": RATE}
+
     signal: str
     step: float
     speed: float
@@ -94,6 +103,8 @@ class Device:
         drive: its drive.
         X_WB: its base frame in the world frame.
     """
+
+    RANGES: ClassVar[Ranges] = {"X_WB": COORDINATE}
 
     name: str
     mechanism: Mechanism

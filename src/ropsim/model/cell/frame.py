@@ -2,8 +2,10 @@
 
 from collections.abc import Mapping
 from dataclasses import field
+from typing import ClassVar
 
 from ropsim.model.cell.body import WORLD
+from ropsim.model.findings.number_range import COORDINATE, Ranges
 from ropsim.spatial import Pose, record
 
 
@@ -15,6 +17,8 @@ class Frame:
         X_PK: its pose in the frame of its parent; in the world frame without one.
         parent: name of the body that it hangs on, a link that external axes move; `WORLD` for none.
     """
+
+    RANGES: ClassVar[Ranges] = {"X_PK": COORDINATE}
 
     X_PK: Pose = field(default_factory=Pose)
     parent: str = WORLD

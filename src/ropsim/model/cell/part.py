@@ -1,5 +1,8 @@
 """Parts: graspable bodies, and their destinations."""
 
+from typing import ClassVar
+
+from ropsim.model.findings.number_range import COORDINATE, EXTENT, FROM_ZERO, Ranges, check_ranges
 from ropsim.model.geometry.elements import Material
 from ropsim.model.mechanism.number_check import check_finite, check_mass
 from ropsim.spatial import Array, Pose, frozen, record
@@ -17,6 +20,8 @@ class Destination:
         distance: greatest distance from there [m].
         turn: greatest angle between the orientations [rad]; None where only the place counts.
     """
+
+    RANGES: ClassVar[Ranges] = {"X_WO": COORDINATE, "distance": EXTENT, "turn": FROM_ZERO}
 
     X_WO: Pose
     distance: float
@@ -41,8 +46,10 @@ class Part:
         destination: where it is to be at the end, None where that is free.
 
     Raises:
-        ModelValueError: the mass is negative, or a number not finite.
+        ModelValueError: the mass or a size is negative, or a number not finite.
     """
+
+    RANGES: ClassVar[Ranges] = {"size": EXTENT}
 
     name: str
     size: Array
@@ -58,3 +65,5 @@ class Part:
         object.__setattr__(self, "size", frozen(self.size))
         check_finite(f"a number of part `{self.name}`", (self.mass, *self.size, *self.X_WO.as_tuple()))
         check_mass(f"part `{self.name}`", self.mass)
+        destination = {"destination.": self.destination} if self.destination else {}
+        check_ranges(f"part `{self.name}`", {"": self, **destination})

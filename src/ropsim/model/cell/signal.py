@@ -3,6 +3,7 @@
 from typing import ClassVar
 
 from ropsim.core import frozen_dataclass
+from ropsim.model.findings.number_range import EXTENT, FINITE, FROM_ZERO, Ranges
 
 
 @frozen_dataclass
@@ -21,6 +22,7 @@ class DistanceSensor:
 
     measures: ClassVar[str] = "length"
     unit: ClassVar[str] = "m"
+    RANGES: ClassVar[Ranges] = {"range": EXTENT, "behind": EXTENT}
 
     station: str
     range: float
@@ -42,6 +44,7 @@ class ForceSensor:
 
     measures: ClassVar[str] = "force"
     unit: ClassVar[str] = "N"
+    RANGES: ClassVar[Ranges] = {"stiffness": FROM_ZERO, "travel": EXTENT}
 
     station: str
     stiffness: float
@@ -66,6 +69,8 @@ class Signal:
         channel: number at the controller's terminals, 0 where it is not known.
         sensor: measures an input that nothing has changed yet; None where no sensor does.
     """
+
+    RANGES: ClassVar[Ranges] = {"initial": FINITE, "changes": FINITE}
 
     name: str
     is_input: bool

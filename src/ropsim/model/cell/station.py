@@ -2,10 +2,12 @@
 
 from collections.abc import Mapping
 from dataclasses import field
+from typing import ClassVar
 
 from ropsim.flow import prefix_of
 from ropsim.model.cell.tool import Tool
 from ropsim.model.controller import ControllerModel
+from ropsim.model.findings.number_range import COORDINATE, Ranges, check_ranges
 from ropsim.model.robots.robot import RobotModel
 from ropsim.spatial import Array, Pose, frozen, record
 
@@ -26,7 +28,12 @@ class Station:
         start: joint coordinates at time 0 [rad | m], shape (n,); empty for the rest position.
         program: name of the program that it runs where the user names none.
         serves: whether its program serves programs of other stations, and is over when they are.
+
+    Raises:
+        ModelValueError: a number of it or of its controller is outside its range.
     """
+
+    RANGES: ClassVar[Ranges] = {"X_WB": COORDINATE, "start": COORDINATE}
 
     name: str
     robot: RobotModel
@@ -40,6 +47,18 @@ class Station:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "start", frozen(self.start))
+        controller = self.controller
+        check_ranges(
+            f"station `{self.name}`",
+            {
+                "": self,
+                "controller.": controller,
+                "controller.rates.": controller.rates,
+                "controller.gains.": controller.gains,
+                "controller.path.": controller.path,
+                "controller.correction.": controller.correction,
+            },
+        )
 
     @property
     def q_start(self) -> Array:

@@ -1,6 +1,9 @@
 """Surroundings in a cell: fixed objects, sinks, and tolerances for support."""
 
+from typing import ClassVar
+
 from ropsim.core import frozen_dataclass
+from ropsim.model.findings.number_range import COORDINATE, EXTENT, Ranges
 from ropsim.model.geometry.elements import Shape
 from ropsim.spatial import Pose
 
@@ -15,6 +18,8 @@ class FixedObject:
         shapes: shapes, in its frame.
         parent: name of the object, or of the body of a device, that it hangs on; empty for none.
     """
+
+    RANGES: ClassVar[Ranges] = {"X_PO": COORDINATE}
 
     name: str
     X_PO: Pose
@@ -32,6 +37,8 @@ class Sink:
         radius: [m].
     """
 
+    RANGES: ClassVar[Ranges] = {"position": COORDINATE, "radius": EXTENT}
+
     name: str
     position: tuple[float, float, float]
     radius: float
@@ -45,6 +52,8 @@ class SupportLimits:
         gap: greatest height of a part above its support [m].
         depth: greatest depth of a released part in something else [m].
     """
+
+    RANGES: ClassVar[Ranges] = {"gap": EXTENT, "depth": EXTENT}
 
     gap: float = 0.005
     depth: float = 0.002

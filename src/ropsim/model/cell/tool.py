@@ -1,8 +1,10 @@
 """Tools at a mechanical interface: their parts, grippers and fingers."""
 
 from dataclasses import field, replace
+from typing import ClassVar
 
 from ropsim.core import frozen_dataclass
+from ropsim.model.findings.number_range import COORDINATE, EXTENT, TIME, Ranges, check_ranges
 from ropsim.model.geometry.elements import Shape
 from ropsim.model.mechanism.mechanism import Mechanism
 from ropsim.model.mechanism.number_check import check_body, check_finite
@@ -21,6 +23,8 @@ class Fingers:
         closed: coordinate of the gripper that has closed on nothing [m].
     """
 
+    RANGES: ClassVar[Ranges] = {"opened": COORDINATE, "closed": COORDINATE}
+
     mechanism: Mechanism
     opened: float
     closed: float
@@ -36,6 +40,8 @@ class Gripper:
         capture: largest distance between the TCP and a part's grasp point when closing [m].
         fingers: None for a gripper that is drawn as standing still.
     """
+
+    RANGES: ClassVar[Ranges] = {"open_time": TIME, "close_time": TIME, "capture": EXTENT}
 
     open_time: float
     close_time: float
@@ -53,6 +59,8 @@ class ToolPart:
         load: mass, centre of mass and inertia in its frame.
         shapes: shapes, in its frame.
     """
+
+    RANGES: ClassVar[Ranges] = {"X_MP": COORDINATE}
 
     name: str
     X_MP: Pose
@@ -76,7 +84,8 @@ class Tool:
         parts: further parts of it.
 
     Raises:
-        ModelValueError: the mass or inertia is negative, the inertia asymmetric, or a number not finite.
+        ModelValueError: the mass or inertia is negative, the inertia asymmetric, a number not finite,
+            or one of the gripper outside its range.
     """
 
     name: str
@@ -93,6 +102,14 @@ class Tool:
         object.__setattr__(self, "inertia", frozen(self.inertia))
         check_body(f"tool `{self.name}`", self)
         check_finite(f"the pose of tool `{self.name}`", self.X_MT.as_tuple())
+        check_ranges(
+            f"tool `{self.name}`",
+            {
+                **{f"parts.{part.name}.": part for part in self.parts},
+                **({"gripper.": self.gripper} if self.gripper else {}),
+                **({"gripper.fingers.": self.fingers} if self.fingers else {}),
+            },
+        )
 
     @property
     def loads(self) -> tuple[Payload, ...]:

@@ -1,4 +1,4 @@
-"""Errors of a robot model (codes X850 to X859, X862, X974, X975)."""
+"""Errors of a robot model and of a cell (codes X850 to X859, X862, X974 to X976)."""
 
 from ropsim.core import Severity, define
 
@@ -178,5 +178,22 @@ Friction resists: its torque is 0 or more for positive speeds, 0 or less for neg
 over a range of speeds that is wider than 0. A gear with the ratio 0 would not move its joint.
 
 Look for a sign or a column that slipped in the data of the drive.
+""",
+)
+
+OUT_OF_RANGE = define(
+    "X976",
+    "number-out-of-range",
+    Severity.ERROR,
+    "a number of a station, its controller, a tool or a cell is outside its allowed range",
+    """
+Rates, default speeds, times, distances and poses have ranges in which a run is possible: periods are whole
+numbers of at least 1, speeds are above 0, times and distances 0 or more, and every number is finite. A number
+outside its range would stop the planning, never end a wait, or spread through every result. A cell is
+refused as soon as it is made.
+
+The message names the station, tool or cell, the field, the number found and the range. Files are checked
+when they are read, in narrower ranges and in their own units; a cell that is made in Python has SI units.
+Look for degrees or millimetres in place of radians or metres, a sign, or a division by zero in the source.
 """,
 )

@@ -56,6 +56,7 @@ class Mechanism:
         object.__setattr__(self, "joints", serial(self.joints))
         object.__setattr__(self, "axes", self.axes or _free_joints(self))
         check_numbers(self.joints, self.links, self.axes, self.drives)
+        check_finite(f"the home position of `{self.name}`", self.home.tolist())
         check_finite(f"the gravity of `{self.name}`", self.gravity.tolist())
 
     def __repr__(self) -> str:

@@ -3,14 +3,22 @@
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import fields
 from itertools import chain
-from math import inf, isfinite
+from math import isfinite
+from types import MappingProxyType
 from typing import Protocol
 
 import numpy as np
 
-from ropsim.core import Diagnostic, RopsimError, Span
+from ropsim.core import Diagnostic, Span
 from ropsim.model.drives.drive import Drive
 from ropsim.model.findings import diagnostics as kinds
+from ropsim.model.findings.number_range import (
+    FROM_ZERO,
+    POSITIVE,
+    POSITIVE_OR_INFINITE,
+    UP_TO_ZERO,
+    ModelValueError,
+)
 from ropsim.model.findings.place import Attribute, AuditPlace, PlaceOf, nowhere
 from ropsim.model.mechanism.links import Joint, JointType, Link
 from ropsim.spatial import Array
@@ -21,11 +29,34 @@ SYMMETRY_SLACK = 1e-9
 MOMENT_SLACK = 1e-3
 """Negative moment of inertia, relative to the largest one, that is rounding: files round their tensors."""
 
-_LIMITS_OF_DRIVES = ("max_voltage", "max_current", "max_effort", "max_input")
-_OPEN_LIMITS = ("max_current", "max_effort")  # infinite where they are unknown
-_WEIGHTS_OF_DRIVES = ("rotor_inertia", "moving_mass")
-_BOUNDED = frozenset({*_LIMITS_OF_DRIVES, *_WEIGHTS_OF_DRIVES})
-_MOST = (Attribute.MAX_SPEED, Attribute.MAX_ACCELERATION, Attribute.MAX_JERK, Attribute.MAX_EFFORT)
+_RANGES_OF_DRIVES = MappingProxyType(
+    {
+        "max_voltage": POSITIVE,
+        "max_input": POSITIVE,
+        "max_current": POSITIVE_OR_INFINITE,  # infinite where it is unknown
+        "max_effort": POSITIVE_OR_INFINITE,
+        "rotor_inertia": FROM_ZERO,
+        "moving_mass": FROM_ZERO,
+    }
+)
+_RANGES_OF_JOINTS = MappingProxyType(
+    {
+        Attribute.MAX_SPEED: POSITIVE,
+        Attribute.MAX_ACCELERATION: POSITIVE,
+        Attribute.MAX_JERK: POSITIVE,
+        Attribute.MAX_EFFORT: POSITIVE_OR_INFINITE,
+    }
+)
+_SIGN = "friction resists: check the sign"
+_WIDTH = "give the speed of the joint over which its friction turns round"
+_RANGES_OF_FRICTION = MappingProxyType(
+    {
+        "viscous": (FROM_ZERO, _SIGN),
+        "coulomb_positive": (FROM_ZERO, _SIGN),
+        "coulomb_negative": (UP_TO_ZERO, _SIGN),
+        "smoothing_speed": (POSITIVE, _WIDTH),
+    }
+)
 
 
 class Body(Protocol):
@@ -42,10 +73,6 @@ class Body(Protocol):
     @property
     def inertia(self) -> Array:
         """Return the inertia about the centre of mass [kg·m²], shape (3, 3)."""
-
-
-class ModelValueError(RopsimError):
-    """A number of a model cannot be: a limit, mass or inertia is not finite or not positive."""
 
 
 def check_numbers(
@@ -150,12 +177,12 @@ def _limits(number: int, joint: Joint, place_of: PlaceOf) -> Iterator[Diagnostic
             hint="the lower limit must be the smaller number",
             data={f"lower_{unit}": joint.lower, f"upper_{unit}": joint.upper},
         )
-    for name in _MOST:
+    for name, allowed in _RANGES_OF_JOINTS.items():
         value = float(getattr(joint, name))
-        if not (value > 0.0 and (value < inf or name is Attribute.MAX_EFFORT)):
+        if not allowed.allows(value):
             yield kinds.UNUSABLE_LIMIT.at(
                 place_of(AuditPlace(number, name)),
-                f"joint `{joint.name}` has `{name}` = {value:g}, allowed is a positive number",
+                f"joint `{joint.name}` has `{name}` = {value:g}, allowed is {allowed.allowed}",
                 hint="give the largest value that the joint may reach",
                 data={"found": value},
             )
@@ -216,7 +243,7 @@ def _drive(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]
             value = getattr(block, name)
             numbers = value if isinstance(value, tuple) else (value,)
             place = place_of(AuditPlace(number, Attribute.DRIVE, name))
-            if name in _BOUNDED:
+            if name in _RANGES_OF_DRIVES:
                 yield from _bounded(number, name, float(value), place)
             elif not all(map(isfinite, numbers)):
                 yield _not_finite(f"`{name}` of the drive of axis {number + 1}", place)
@@ -232,36 +259,26 @@ def _drive(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]
 
 def _bounded(number: int, name: str, value: float, place: Span | None) -> Iterator[Diagnostic]:
     """Yield a limit that is not positive, or an inertia or mass below 0."""
-    is_limit = name in _LIMITS_OF_DRIVES
-    if (value > 0.0 if is_limit else value >= 0.0) and (value < inf or name in _OPEN_LIMITS):
+    allowed = _RANGES_OF_DRIVES[name]
+    if allowed.allows(value):
         return
     yield kinds.UNUSABLE_DRIVE.at(
         place,
-        f"the drive of axis {number + 1} has `{name}` = {value:g}, "
-        f"allowed is {'a positive number' if is_limit else '0 or more'}",
+        f"the drive of axis {number + 1} has `{name}` = {value:g}, allowed is {allowed.allowed}",
         hint="check the sign",
         data={"found": value},
     )
 
 
 def _friction(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]:
-    friction = drive.friction
-    sign = "friction resists: check the sign"
-    width = "give the speed of the joint over which its friction turns round"
-    rows = (
-        ("viscous", 0.0 <= friction.viscous < inf, "0 or more", sign),
-        ("coulomb_positive", 0.0 <= friction.coulomb_positive < inf, "0 or more", sign),
-        ("coulomb_negative", -inf < friction.coulomb_negative <= 0.0, "0 or less", sign),
-        ("smoothing_speed", 0.0 < friction.smoothing_speed < inf, "a positive number", width),
-    )
-    for name, is_possible, allowed, hint in rows:
-        if not is_possible:
+    for name, (allowed, hint) in _RANGES_OF_FRICTION.items():
+        value = float(getattr(drive.friction, name))
+        if not allowed.allows(value):
             yield kinds.UNUSABLE_DRIVE.at(
                 place_of(AuditPlace(number, Attribute.DRIVE, name)),
-                f"the drive of axis {number + 1} has `{name}` = {getattr(friction, name):g}, "
-                f"allowed is {allowed}",
+                f"the drive of axis {number + 1} has `{name}` = {value:g}, allowed is {allowed.allowed}",
                 hint=hint,
-                data={"found": getattr(friction, name)},
+                data={"found": value},
             )
 
 

@@ -4,8 +4,9 @@ from dataclasses import replace
 from math import inf
 
 from ropsim.model.findings.diagnostics import UNUSABLE_LIMIT
+from ropsim.model.findings.number_range import ModelValueError
 from ropsim.model.mechanism.mechanism import Mechanism
-from ropsim.model.mechanism.number_check import ModelValueError, check_finite
+from ropsim.model.mechanism.number_check import check_finite
 from ropsim.model.robots.dh import DhRow
 from ropsim.spatial import Array, Pose, record
 
