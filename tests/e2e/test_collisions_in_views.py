@@ -114,7 +114,7 @@ def test_choosing_the_finding_goes_to_the_deepest_time_and_frames_the_place(
 ) -> None:
     tab.seek(0.0)
     assert not tab.page.evaluate(IN_THE_MIDDLE, [list(contact.place), MIDDLE])
-    words = f"collision box – stand_right, {-1e3 * contact.distance:.1f} mm, line {contact.line}"
+    words = f"collision box – stand_right, {-1e3 * contact.distance:.1f} mm deep, line {contact.line}"
     tab.show("Problems").get_by_role("button", name=words).click()
     assert tab.time() == pytest.approx(contact.time)
     ghost = tab.state()["ghost"]

@@ -67,7 +67,7 @@ def test_a_name_that_cannot_be_says_why(written: StudioPage) -> None:
     field = written.page.locator(".cm-lsp-rename-panel input")
     field.fill("pick_up")
     field.press("Enter")
-    refusal = written.page.get_by_text("The name stays: the cell has the name `pick_up`")
+    refusal = written.page.get_by_text('The name stays: the cell has the name "pick_up"')
     refusal.wait_for()
     written.editor().focus()
     written.page.keyboard.press("Escape")
