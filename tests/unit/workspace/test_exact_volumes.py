@@ -34,7 +34,8 @@ def arm(
         Joint(str(k + 1), kinds[kind], Pose(np.array(p), np.array(turn)), 0.0, lower, upper, 1.0, 1.0, 1.0)
         for k, (kind, p, turn, lower, upper) in enumerate(joints)
     )
-    home = np.array([0.5 * (one.lower + one.upper) if np.isfinite(one.lower) else 0.0 for one in made])
+    middles = (0.5 * (one.lower + one.upper) for one in made)
+    home = np.array([middle if np.isfinite(middle) else 0.0 for middle in middles])
     return RobotModel("made", "an arm", made, (), (), X_nM=Pose(np.array([tip, 0.0, 0.0])), home=home)
 
 

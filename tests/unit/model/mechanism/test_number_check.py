@@ -149,6 +149,7 @@ def test_friction_resists(friction: dict[str, float]) -> None:
 def test_numbers_of_the_whole_robot_are_finite() -> None:
     make = partial(replace, PUMA)
     assert refused(make, gravity=np.array([0.0, 0.0, nan]))[0] == "X859"
+    assert refused(make, home=np.array([nan, *PUMA.home[1:]]))[0] == "X859"
     assert refused(make, X_nM=Pose(np.array([nan, 0.0, 0.0])))[0] == "X859"
     assert refused(make, rated_payload=-1.0)[0] == refused(make, rated_payload=nan)[0] == "X856"
 
