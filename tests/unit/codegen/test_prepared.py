@@ -130,6 +130,23 @@ def test_flipped_bytes_of_an_archive_raise_nothing(archive: Path) -> None:
             prepared.prepared_text(name)
 
 
+@pytest.mark.parametrize(
+    ("local", "central", "value"),
+    [(4, 6, 163), (8, 10, 5), (6, 8, 0x20), (6, 8, 0x01)],
+    ids=["version", "method", "patched", "encrypted"],
+)
+def test_an_entry_that_cannot_be_unpacked_is_no_text(
+    archive: Path, local: int, central: int, value: int
+) -> None:
+    prepared.write_prepared({"a_1.ll": "one" * 50}, archive)
+    damaged = bytearray(archive.read_bytes())
+    damaged[damaged.index(b"PK\x03\x04") + local] = value
+    damaged[damaged.index(b"PK\x01\x02") + central] = value
+    archive.write_bytes(damaged)
+    prepared._names.cache_clear()
+    assert prepared.prepared_text("a_1.ll") is None
+
+
 def test_an_archive_cut_short_is_no_error(archive: Path) -> None:
     expected = result(mixed)
     name, text = prepared_text_of(fresh())
