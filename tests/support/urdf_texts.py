@@ -107,6 +107,39 @@ MACROS = """<?xml version="1.0"?>
 """Macros for an arm of two hinges, as robot files of ROS are written."""
 
 
+SPELLINGS = """<robot name="words" xmlns:xacro="x">
+  <xacro:arg name="side" default="left"/>
+  <xacro:property name="links"
+    value="${['base_link'] + ['%s_%d' % ('$(arg side)', k) for k in range(1, 3)]}"/>
+  <xacro:property name="sizes" value="${dict(left='0.1 0.2 0.3', right='1 1 1')}"/>
+  <xacro:property name="size" lazy_eval="false"
+    value="${[2 * float(x) for x in sizes['$(arg side)'].split()]}"/>
+  <xacro:property name="turn" value="$(optenv TURN 90)"/>
+  <xacro:macro name="body" params="name *place parent:=^|none">
+    <link name="${name}">
+      <xacro:element xacro:name="${'visual' if name.startswith('left') else 'collision'}">
+        <geometry><box><xacro:attribute name="size" value="${' '.join(map(str, size))}"/></box></geometry>
+      </xacro:element>
+    </link>
+    <xacro:unless value="${parent is None or parent == 'none'}">
+      <joint name="${parent[:4].upper()}_${name.split('_')[-1]}" type="revolute">
+        <xacro:insert_block name="place"/>
+        <parent link="${parent}"/><child link="${name}"/><axis xyz="0 ${1 if '1' in name else 0} 1"/>
+        <limit lower="${-radians(turn)}" upper="${radians(turn)}" velocity="1" effort="$(eval 5 * 2)"/>
+      </joint>
+    </xacro:unless>
+  </xacro:macro>
+  <xacro:body name="${links[0]}"><origin/></xacro:body>
+  <xacro:body name="${links[1]}" parent="${links[0]}"><origin xyz="0 0 ${size[-1]}"/></xacro:body>
+  <xacro:property name="parent" value="${links[1]}"/>
+  <xacro:call macro="body" name="${links[-1]}"><origin xyz="0 0 ${sum(size[1:])}"/></xacro:call>
+  <xacro:property name="parent" remove="true"/>
+  ${xacro.warning('no masses')}
+</robot>
+"""
+"""Two joints; each construct of xacro that is a text method, a slice, a comprehension or a computed name."""
+
+
 LIMITS = """# limits of an arm
 joint_limits:
   shoulder_pan:

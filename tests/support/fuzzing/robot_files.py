@@ -7,7 +7,7 @@ import numpy as np
 from ropsim import robots
 from ropsim.core import SourceText
 from ropsim.exchange import read_mjcf, read_urdf, write_mjcf, write_urdf
-from ropsim.exchange.xacro.values import XacroError, bounded
+from ropsim.exchange.xacro.formulas.values import XacroError, bounded
 from ropsim.exchange.xacro.yaml_values import yaml_value
 from ropsim.kinematics import forward
 from ropsim.model import ReadRobot, audit, mechanism_findings
@@ -16,12 +16,12 @@ from support.fuzzing.mutation import TEXT, mutated, numeral, word
 from support.fuzzing.target import Target
 from support.mjcf_texts import ARM as MJCF_ARM
 from support.mjcf_texts import HANDS
-from support.urdf_texts import ARM, LIMITS, MACROS
+from support.urdf_texts import ARM, LIMITS, MACROS, SPELLINGS
 
 _WRITTEN = [robots.load(name) for name in ("palletizer", "scara", "two_link")]
 _URDF = (ARM.encode(), *(write_urdf(one).text.encode() for one in _WRITTEN))
 _CALL = '<xacro:arg name="bare" default="0"/><xacro:arm prefix="r_"/></robot>'
-_XACRO = (MACROS.replace("</robot>", _CALL).encode(),)
+_XACRO = (MACROS.replace("</robot>", _CALL).encode(), SPELLINGS.encode())
 _MJCF = (
     MJCF_ARM.encode(),
     HANDS.format(angle="degree", order="XYz").encode(),

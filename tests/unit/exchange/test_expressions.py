@@ -4,15 +4,17 @@ import math
 
 import pytest
 
-from ropsim.exchange.xacro.expressions import value_of
+from ropsim.exchange.xacro.formulas.evaluation import value_of
+from ropsim.exchange.xacro.formulas.values import Value, XacroError, literal, truth
 from ropsim.exchange.xacro.scope import Scope
-from ropsim.exchange.xacro.values import Value, XacroError, literal, truth
+from ropsim.exchange.xacro.substitution import text_of
+from support.xacro_files import LooseFile
 
 NAMES: dict[str, Value] = {"a": 2, "b": 0.5, "s": "left", "l": [1, [2, 3]], "d": {"x": 1.5, "deep": {"y": 2}}}
 
 
 def scope() -> Scope:
-    made = Scope(lambda text, _: text, lambda path: path)
+    made = Scope(LooseFile())
     for name, value in NAMES.items():
         made.give(name, value)
     return made
@@ -48,6 +50,35 @@ SAME_AS_PYTHON = [
     "d.get('none') == None",
     "(1, 2)[1]",
     "True and False",
+    "'a,b;c'.split(',')",
+    "'a b'.split() + ' x '.strip().split('y')",
+    "'left_arm'.startswith('left') and s.endswith(('ft', 'x'))",
+    "'Left'.lower() + s.upper() + s.replace('ef', 'oo') + '-'.join(['a', 'b'])",
+    "'%s_%02d %.3f%%' % (s, 7, 0.5)",
+    "'joint_%d' % a",
+    "'..x'.lstrip('.') + 'x..'.rstrip('.') + 'a_b_c'.rsplit('_', 1)[0]",
+    "s[1:3] + s[:-1] + s[::-1] + s[-2:]",
+    "l[1:] + [0, 1, 2, 3][::2] + l[:1]",
+    "(1, 2, 3)[1:]",
+    "2 * 'ab' + 'c' * a",
+    "[0] * 3 + 2 * [1]",
+    "[2 * x for x in [1, 2, 3] if x != 2]",
+    "[x + y for x in [1, 2] for y in [10, 20] if x < 2]",
+    "[k + str(v) for k, v in dict(x=1, y=2).items()]",
+    "sum(x * x for x in range(4))",
+    "list(map(float, '1 2.5'.split()))",
+    "[int(x) for x in '1;2'.split(';')]",
+    "sorted([3, 1, 2], reverse=True) + list((1, 2))",
+    "max([1, 5, 3]) if any([False, True]) else all([])",
+    "[k for k in dict(x=1, y=2).keys()] + list(dict(z=3))",
+    "'ab' 'cd' + \"e'f\" + 'g\\'h' + u'i'",
+    "None is None and a is not None",
+    "5 & 3 | 8 ^ 2",
+    "1 << 4 >> 1",
+    "'x' not in 'abc' and 'k' in dict(k=1)",
+    "divmod(7, 2)",
+    "list(zip([1, 2], 'ab')) + list(enumerate('x'))",
+    "()",
 ]
 
 
@@ -59,7 +90,27 @@ def test_values_are_those_of_python(text: str) -> None:
     assert type(found) is type(expected)
 
 
-_BUILTINS = ("min", "max", "abs", "sum", "sorted", "round", "int", "float", "str", "range", "len", "dict")
+_BUILTINS = (
+    "min",
+    "max",
+    "abs",
+    "sum",
+    "sorted",
+    "round",
+    "int",
+    "float",
+    "str",
+    "range",
+    "len",
+    "dict",
+    "list",
+    "map",
+    "zip",
+    "enumerate",
+    "any",
+    "all",
+    "divmod",
+)
 
 
 @pytest.mark.parametrize(
@@ -82,16 +133,40 @@ REFUSED = [
     "open('/etc/hostname')",
     "eval('1')",
     "().__class__",
-    "s.upper()",
     "d.pop('x')",
+    "l.append(3)",
     "dict(1)",
-    "dict(x)",
     "s.get('x')",
     "a.__class__",
+    "'{0.__class__}'.format(a)",
+    "s.upper",
     "lambda: 1",
-    "[x for x in l]",
     "s % 3",
-    "'a' * 10",
+    "'a' * 10**9",
+    "[0] * 10**9",
+    "'%2000d' % 1",
+    "'%*d' % (2000, 1)",
+    "'%s'.replace('', 'x' * 15000)",
+    "'x'.ljust(10**9)",
+    "('x' * 15000).join(['a', 'b', 'c'])",
+    "1 << 10**9",
+    "l[0:1:0]",
+    "l['x':]",
+    "a[0:1]",
+    "[x for x in 5]",
+    "[x for x, y in [[1]]]",
+    "[" + "[x for x in range(2000)] " + "for y in range(2000)]",
+    "[1 for x in range(2000) for y in range(2000) for z in range(2000) if False]",
+    "list(map(range, [2000] * 1500))",
+    "map(5, [1])",
+    "xacro.system('true')",
+    "xacro.fatal('no', 'arm')",
+    "xacro.arg('none')",
+    "python.open('x')",
+    "math.os",
+    "b'bytes'",
+    "'\\x41'",
+    "l" + "[0]" * 1300,
     "unknown",
     "1 +",
     "(1",
@@ -147,6 +222,56 @@ def test_signs_and_powers_do_not_grow_without_bound() -> None:
 def test_texts_stand_for_what_they_look_like(text: str, value: Value) -> None:
     assert literal(text) == value
     assert type(literal(text)) is type(value)
+
+
+def test_functions_of_xacro_are_at_hand() -> None:
+    made = scope()
+    assert value_of("xacro.tokenize('a, b;c')", made) == ["a", "b", "c"]
+    assert value_of("xacro.tokenize('a,,b', sep=',', skip_empty=False)", made) == ["a", "", "b"]
+    assert value_of("xacro.dotify(dict(a=1)).a + int(xacro.arg('count'))", made) == 4
+    assert value_of("xacro.abs_filename('x.yaml')", made) == "urdf/x.yaml"
+    assert value_of("xacro.warning('no', 1) + xacro.message('quiet')", made) == ""
+    assert isinstance(made.file, LooseFile)
+    assert made.file.messages == ["no 1"]
+
+
+@pytest.mark.parametrize(
+    ("construct", "text"),
+    [
+        ("`lambda`", "map(lambda x: x, [1])"),
+        ("method `pop`", "d.pop('x')"),
+        ("method `format`", "'{}'.format(1)"),
+        ("`xacro.system`", "xacro.system('true')"),
+        ("`python.open`", "python.open('x')"),
+        ("`f` before it", "f'{a}'"),
+        ("`open` cannot be called", "open('x')"),
+        ("no key `none`", "d.none"),
+    ],
+)
+def test_a_refusal_names_the_construct(construct: str, text: str) -> None:
+    with pytest.raises(XacroError, match=construct):
+        value_of(text, scope())
+
+
+@pytest.mark.parametrize(
+    ("text", "made"),
+    [
+        ("${1.0} ${2} ${1 == 1} ${[1, 'a']} ${(1, 2)}", "1.0 2 True [1, 'a'] (1, 2)"),
+        ("$(arg side)_$(arg ${'co' + 'unt'}) ${2 * '$(arg side)'}", "left_3 leftleft"),
+        ("$(eval count + 1) $(eval arg('side')) $(eval side == 'left')", "4 left True"),
+        ("$(optenv HOME none) $(optenv HOME)", "none "),
+        ("$(find arm)/urdf $(dirname)/x", "package://arm/urdf urdf/x"),
+        ("$ $x $${y} $$(z) $$${w}", "$ $x ${y} $(z) $${w}"),
+    ],
+)
+def test_texts_are_printed_as_the_official_tool_prints_them(text: str, made: str) -> None:
+    assert text_of(text, scope()) == made
+
+
+@pytest.mark.parametrize("command", ["env", "anon", "cwd", "sh"])
+def test_a_command_that_is_not_carried_out_is_named(command: str) -> None:
+    with pytest.raises(XacroError, match=rf"\$\({command} \.\.\.\)"):
+        text_of(f"$({command} HOME)", scope())
 
 
 def test_conditions_are_true_false_or_numbers() -> None:

@@ -6,9 +6,12 @@ import pytest
 
 from ropsim.core import SourceText
 from ropsim.exchange import ReadOptions, RobotFolder, read_urdf
+from ropsim.exchange.files.xml_tree import read_xml
+from ropsim.exchange.losses.notes import Notes
+from ropsim.exchange.xacro.expansion import expanded
 from ropsim.model import Mesh, ReadRobot, RobotModel
 from support.exchange_laws import differences
-from support.urdf_texts import MACROS
+from support.urdf_texts import MACROS, SPELLINGS
 
 MAIN = """<robot name="$(arg name)" xmlns:xacro="http://wiki.ros.org/xacro">
   <xacro:arg name="name" default="folding"/>
@@ -108,6 +111,17 @@ WRONG = {
         + "".join(f'<xacro:property name="t{k}" value="${{t{k - 1}}}${{t{k - 1}}}"/>' for k in range(1, 28))
         + '<link name="${t27}"/><xacro:arm',
     ),
+    "takes 0 blocks, the call has `link` too": MAIN.replace(
+        'meshes="$(arg meshes)"/>', 'meshes="0"><link name="x"/></xacro:arm>'
+    ),
+    "lacks the block": MAIN.replace("<xacro:arm", '<xacro:hinge number="1" parent="a" child="b"/><xacro:arm'),
+    "more than one of `value`": MAIN.replace(
+        "<xacro:arm", '<xacro:property name="p" value="1" default="2"/><xacro:arm'
+    ),
+    "is a pattern of several files": MAIN.replace("macros.xacro", "*.xacro"),
+    "the file refuses itself: no arm": MAIN.replace(
+        "<xacro:arm", "<gazebo>${xacro.fatal('no', 'arm')}</gazebo><xacro:arm"
+    ),
     "is not closed": MAIN.replace('"r_"', '"${1"'),
 }
 
@@ -176,3 +190,128 @@ def test_macros_hand_values_to_their_callers_as_files_of_universal_robots_do(fol
     </robot>"""
     robot = robot_of(read(folder, text))
     assert [one.solid for one in robot.links[0].shapes] == [Mesh("packages/fore.stl")]
+
+
+LINKS = """<robot name="a" xmlns:xacro="x">{body}
+  <link name="base_link"/><link name="tip"/>
+  <joint name="j" type="continuous"><parent link="base_link"/><child link="tip"/></joint></robot>"""
+
+
+def made(folder: Path, body: str) -> list[tuple[str, dict[str, str]]]:
+    """Return names and attributes of the elements `t` that a body becomes."""
+    notes = Notes()
+    root = read_xml(SourceText("main.xacro", LINKS.format(body=body)), notes)
+    assert root is not None
+    whole = expanded(root, ReadOptions(folder=RobotFolder(folder, {"arm": "packages"})), notes)
+    assert whole is not None, notes.found
+    return [(one.name, dict(one.attributes)) for one in whole.children if one.name not in ("link", "joint")]
+
+
+MEANT = {
+    "blocks are passed by their order": (
+        """<xacro:macro name="m" params="**first *second"><t><xacro:insert_block name="first"/></t>
+           <xacro:insert_block name="second"/><xacro:insert_block name="first"/></xacro:macro>
+           <xacro:m><any><u v="1"/></any><w/></xacro:m>""",
+        [("t", {}), ("w", {}), ("u", {"v": "1"})],
+    ),
+    "elements of a call are expanded before they are passed": (
+        """<xacro:macro name="m" params="*block"><xacro:insert_block name="block"/></xacro:macro>
+           <xacro:m><xacro:if value="0"><u/></xacro:if><xacro:unless value="0"><w/></xacro:unless>
+           </xacro:m>""",
+        [("w", {})],
+    ),
+    "names of elements and attributes are computed": (
+        """<xacro:property name="n" value="t"/><xacro:element xacro:name="${n}" a="${n}">
+           <xacro:attribute name="${n}${n}" value="${1 + 1}"/></xacro:element>
+           <xacro:element xacro:name="xacro:if" value="1"><u xacro:hidden="1"/></xacro:element>""",
+        [("t", {"a": "t", "tt": "2"}), ("u", {})],
+    ),
+    "properties are removed": (
+        """<xacro:property name="p" default="1st"/><xacro:property name="p" remove="true"/>
+           <xacro:property name="p" default="2nd"/><t p="${p}"/>""",
+        [("t", {"p": "2nd"})],
+    ),
+    "a property is evaluated where it is used, or where it is defined": (
+        """<xacro:property name="x" value="1"/><xacro:property name="late" value="${x}"/>
+           <xacro:property name="now" value="${x}" lazy_eval="false"/><xacro:property name="x" value="2"/>
+           <xacro:property name="now" value="${now + 10}" lazy_eval="false"/><t l="${late}" n="${now}"/>""",
+        [("t", {"l": "2", "n": "11"})],
+    ),
+    "a macro has its own properties and macros": (
+        """<xacro:property name="p" value="outer"/><xacro:macro name="m"><t p="${p}"/>
+           <xacro:property name="p" value="inner"/><xacro:macro name="m"><u p="${p}"/></xacro:macro>
+           <xacro:m/></xacro:macro><xacro:m/><xacro:m/>""",
+        [("t", {"p": "outer"}), ("u", {"p": "inner"})] * 2,
+    ),
+    "parameters have blanks about their defaults, and quotation marks in them": (
+        """<xacro:macro name="m" params="a := 1 b = 'x y' c:='' d:=^|${2 * 3} e:=v'1 2'">
+           <t a="${a}" b="${b}" c="${c}" d="${d}" e="${e}"/></xacro:macro><xacro:m/>""",
+        [("t", {"a": "1", "b": "x y", "c": "", "d": "6", "e": "v'1 2'"})],
+    ),
+    "names that every file has are not defined by a default": (
+        """<xacro:property name="pi" default="3"/><t v="${pi > 3}"/>""",
+        [("t", {"v": "True"})],
+    ),
+    "a list is true if it holds something": (
+        """<xacro:if value="${[0]}"><t/></xacro:if><xacro:if value="${None}"><u/></xacro:if>""",
+        [("t", {})],
+    ),
+    "files that are not there may be optional": (
+        """<xacro:include filename="none.xacro" optional="true"/><t/>""",
+        [("t", {})],
+    ),
+    "a file that is included into a name space is seen behind its name": (
+        """<xacro:property name="var" value="main"/><xacro:include filename="space.xacro" ns="A"/>
+           <xacro:property name="late" value="l"/><t var="${var}" a="${2 * A.var}"/>
+           <xacro:A.foo p="${var}"/><xacro:call macro="A.set"/><u var="${var}"/>""",
+        [
+            ("t", {"var": "main", "a": "4"}),
+            ("foo", {"p": "2", "var": "2", "late": "l"}),
+            ("u", {"var": "macro"}),
+        ],
+    ),
+}
+SPACE = """<robot xmlns:xacro="x"><xacro:property name="var" value="2"/>
+  <xacro:macro name="foo" params="p"><foo p="${p}" var="${var}" late="${late}"/></xacro:macro>
+  <xacro:macro name="set"><xacro:property name="var" value="macro" scope="parent"/></xacro:macro></robot>"""
+
+
+@pytest.mark.parametrize("case", MEANT)
+def test_constructs_mean_what_the_official_tool_makes_of_them(folder: Path, case: str) -> None:
+    body, expected = MEANT[case]
+    (folder / "space.xacro").write_text(SPACE)
+    assert made(folder, body) == expected
+
+
+def test_the_folder_of_an_included_file_is_its_own(folder: Path) -> None:
+    (folder / "packages" / "urdf" / "here.xacro").write_text(
+        '<robot xmlns:xacro="x"><xacro:property name="v" value="${load_yaml(\'$(dirname)/v.yaml\')}"/>'
+        '<t v="${v.x}" mesh="$(dirname)/../fore.stl"/></robot>'
+    )
+    (folder / "packages" / "urdf" / "v.yaml").write_text("x: 5")
+    ((_, attributes),) = made(folder, '<xacro:include filename="packages/urdf/here.xacro"/>')
+    assert attributes["v"] == "5"
+    assert RobotFolder(folder).path(attributes["mesh"]) == "packages/fore.stl"
+
+
+def test_messages_of_a_file_are_reported_once(folder: Path) -> None:
+    text = MAIN.replace(
+        "<xacro:arm", "<gazebo>${xacro.warning('no mass of', 'link_3')}</gazebo>" * 3 + "<xacro:arm"
+    )
+    found = read(folder, text)
+    robot_of(found)
+    (message,) = [one for one in found.findings if one.code == "X998"]
+    assert message.message == "the file says: no mass of link_3"
+    assert message.span is not None
+
+
+def test_texts_are_cut_joined_and_counted() -> None:
+    found = read_urdf(SourceText("words.xacro", SPELLINGS))
+    robot = robot_of(found)
+    assert [one.name for one in robot.joints] == ["BASE_1", "LEFT_2"]
+    assert robot.joints[0].upper == pytest.approx(1.5707963267948966)
+    assert [one.code for one in found.findings if one.code == "X998"] == ["X998"]
+    other = robot_of(
+        read_urdf(SourceText("words.xacro", SPELLINGS), ReadOptions(arguments={"side": "right"}))
+    )
+    assert [one.name for one in other.joints] == ["BASE_1", "RIGH_2"]

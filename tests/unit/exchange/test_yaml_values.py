@@ -7,7 +7,7 @@ import pytest
 
 from ropsim.core import SourceText
 from ropsim.exchange import ReadOptions, RobotFolder, read_urdf
-from ropsim.exchange.xacro.values import Value, XacroError
+from ropsim.exchange.xacro.formulas.values import Value, XacroError
 from ropsim.exchange.xacro.yaml_values import yaml_value
 from support.urdf_texts import LIMITS
 
@@ -37,15 +37,68 @@ def test_small_texts(text: str, value: Value) -> None:
     assert yaml_value(text) == value
 
 
+def test_anchors_are_taken_over_and_merged() -> None:
+    text = """
+leftfinger: &finger
+  mass: 0.015
+  inertia: {xx: 1, yy: 2}
+rightfinger: *finger
+thumb:
+  <<: *finger
+  mass: 0.02
+rate: &hz 500
+again: [*hz, &one 1, *one]
+list:
+- &first a
+- *first
+"""
+    finger = {"mass": 0.015, "inertia": {"xx": 1, "yy": 2}}
+    assert yaml_value(text) == {
+        "leftfinger": finger,
+        "rightfinger": finger,
+        "thumb": {**finger, "mass": 0.02},
+        "rate": 500,
+        "again": [500, 1, 1],
+        "list": ["a", "a"],
+    }
+
+
+def test_brackets_go_over_several_lines_and_words_are_truth_values() -> None:
+    text = """
+home: [1.5,   # shoulder
+  {a: "x, ]",
+   b: [2]},
+  ]
+brake: yes
+free: off
+urls: {a: http://x/y, b: 'it''s'}
+"""
+    assert yaml_value(text) == {
+        "home": [1.5, {"a": "x, ]", "b": [2]}],
+        "brake": True,
+        "free": False,
+        "urls": {"a": "http://x/y", "b": "it's"},
+    }
+
+
+def test_numbers_with_units_are_in_si_units() -> None:
+    text = "[!degrees 2*90, !radians pi, !meters 2*3, !millimeters 25.0, !foot 1/0.3048, !inches 1/0.0254]"
+    assert yaml_value(text) == pytest.approx([pi, pi, 6.0, 0.025, 1.0, 1.0])
+    with pytest.raises(XacroError, match="nobody has defined `os`"):
+        yaml_value("a: !radians os.system('clear')")
+
+
 @pytest.mark.parametrize(
     "text",
     [
-        "a: &b 1",
         "a: *b",
+        "a: &b [*b]",
+        "<<: 1",
         "a: |\n  text",
         "a: !!python/object:os.system x",
         "a: !degrees x",
-        "a: [1,\n  2]",
+        "a: [1,\n  2",
+        "a0: &a0 [1, 1]\n" + "\n".join(f"a{k}: &a{k} [*a{k - 1}, *a{k - 1}]" for k in range(1, 40)),
         "a: [1,, 2]",
         "a: {b}",
         "\ta: 1",

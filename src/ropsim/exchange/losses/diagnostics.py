@@ -1,4 +1,4 @@
-"""Errors of a robot in URDF or MJCF (codes X980 to X991)."""
+"""Findings on a robot in URDF, xacro or MJCF (codes X980 to X992, X998)."""
 
 from ropsim.core import Severity, define
 
@@ -174,9 +174,22 @@ XACRO = define(
     """
 Xacro files are expanded before they are read: arguments, properties, macros with parameters and blocks,
 `if` and `unless`, included files, and expressions in `${...}` and `$(...)`. Expressions know numbers,
-texts, lists and dictionaries, the operators of arithmetic and comparison, `and`, `or`, `not`, `x if c
-else y`, indices, and the functions of mathematics; nothing else can be called, and no file is read but
-those inside of the given folders. How deep macros call each other and how much they make is bounded
-(X981).
+texts, lists and dictionaries, the operators of Python, indices, slices and comprehensions, the methods of
+texts and of dictionaries that change nothing, and the functions of mathematics; nothing else can be called,
+and no file is read but those inside of the given folders. The message names what is not carried out, such
+as `lambda`, `$(env ...)` or a pattern of several files. How deep macros call each other and how much they
+make is bounded (X981).
+""",
+)
+
+XACRO_MESSAGE = define(
+    "X998",
+    "xacro-message",
+    Severity.WARNING,
+    "a xacro file reports something about itself while it is expanded",
+    """
+Xacro files can report what they miss: `${xacro.warning('...')}` and `${xacro.error('...')}`. The text is
+that of the file; each one is reported once. The robot is read. With `xacro.fatal` a file refuses itself,
+which is an error (X992).
 """,
 )

@@ -9,10 +9,9 @@ from ropsim.exchange.files.folder import ReadOptions
 from ropsim.exchange.files.xml_tree import Element, read_xml
 from ropsim.exchange.losses.diagnostics import XACRO
 from ropsim.exchange.losses.notes import Notes, shown
-from ropsim.exchange.xacro.macros import Macro, Parameter, Sort, macro_of
-from ropsim.exchange.xacro.scope import Scope
-from ropsim.exchange.xacro.texts import Texts
-from ropsim.exchange.xacro.values import XacroError, truth
+from ropsim.exchange.xacro.calls import Calls
+from ropsim.exchange.xacro.formulas.values import XacroError, literal, truth
+from ropsim.exchange.xacro.scope import IncludedScope, Scope
 
 PREFIX = "xacro:"
 
@@ -39,11 +38,10 @@ class _PlacedError(Exception):
         self.span, self.message, self.hint = span, message, hint
 
 
-class _Expansion(Texts):
+class _Expansion(Calls):
     def __init__(self, options: ReadOptions, notes: Notes) -> None:
-        super().__init__(options)
-        self._notes = notes
-        self._macros: dict[str, Macro] = {}
+        super().__init__(options, notes)
+        self._open: list[dict[str, str]] = []  # attributes of the elements around
         self._known: Mapping[str, Callable[[Element, Scope, int], list[Element]]] = {
             "arg": self._arg,
             "property": self._property,
@@ -53,92 +51,133 @@ class _Expansion(Texts):
             "unless": self._unless,
             "insert_block": self._insert,
             "call": self._call_by_name,
+            "element": self._named_element,
+            "attribute": self._attribute,
         }
 
     def file(self, root: Element) -> Element:
-        scope = Scope(self._value, self._loaded)
+        scope = Scope(self)
         if root.name.startswith(PREFIX):
             raise _PlacedError(root.span, f"the outermost element is `{root.name}`", "put it into a `robot`")
         # its attributes come last: they name arguments whose defaults stand in it
+        self._open.append({})
         children = tuple(self._elements(root.children, scope, 1))
+        added = self._open.pop()
         bare = Element(root.name, root.attributes, (), root.span, root.text)
-        return replace(self._elements((bare,), scope, 0)[0], children=children)
+        made = self._elements((bare,), scope, 0)[0]
+        return replace(made, attributes=MappingProxyType({**made.attributes, **added}), children=children)
 
     def _elements(self, elements: tuple[Element, ...], scope: Scope, depth: int) -> list[Element]:
         """Return the expansion of elements."""
         found: list[Element] = []
         for one in elements:
             try:
-                self._step(depth)
+                self._step(depth, one)
                 if one.name.startswith(PREFIX):
                     found += self._special(one, one.name.removeprefix(PREFIX), scope, depth)
                 else:
-                    found.append(self._plain(one, scope, depth))
+                    found.append(self._plain(one, one.name, scope, depth))
             except XacroError as error:
                 raise _PlacedError(one.span, error.message, error.hint) from None
         return found
 
-    def _plain(self, one: Element, scope: Scope, depth: int) -> Element:
+    def _plain(self, one: Element, name: str, scope: Scope, depth: int) -> Element:
         attributes = {}
         for key, text in one.attributes.items():
-            if not key.startswith("xmlns"):
+            if not key.startswith(("xmlns", PREFIX)):
                 attributes[key] = self._text(text, scope)
-                self._spend(len(attributes[key]))
+                self.spend(len(attributes[key]))
         self._make()
+        self._open.append(attributes)
         children = tuple(self._elements(one.children, scope, depth + 1))
-        return Element(one.name, MappingProxyType(attributes), children, one.span, one.text)
+        self._open.pop()
+        self._texts_of(one.text, scope)
+        return Element(name, MappingProxyType(attributes), children, one.span, one.text)
 
     def _special(self, one: Element, name: str, scope: Scope, depth: int) -> list[Element]:
         known = self._known.get(name)
         return known(one, scope, depth) if known else self._call(name, one, scope, depth)
 
+    def _named_element(self, one: Element, scope: Scope, depth: int) -> list[Element]:
+        """Return an element whose name is computed; it may be one of xacro."""
+        name = self._need(one, "xacro:name", scope)
+        if not name:
+            raise XacroError("`xacro:element` has an empty name", "write the name of an element")
+        rest = {key: text for key, text in one.attributes.items() if key != "xacro:name"}
+        named = replace(one, name=name, attributes=MappingProxyType(rest))
+        return self._elements((named,), scope, depth + 1)
+
+    def _attribute(self, one: Element, scope: Scope, _depth: int) -> list[Element]:
+        """Give the element around an attribute whose name is computed."""
+        name, value = (self._need(one, key, scope) for key in ("name", "value"))
+        if not name:
+            raise XacroError("`xacro:attribute` has an empty name", "write the name of an attribute")
+        self._open[-1][name] = value
+        self.spend(len(value))
+        return []
+
     def _arg(self, one: Element, scope: Scope, _depth: int) -> list[Element]:
         name = self._need(one, "name", scope)
-        if name not in self._given and "default" in one.attributes and name not in self._arguments:
+        if "default" in one.attributes and name not in self._arguments:
             self._arguments[name] = self._text(one.attributes["default"], scope)
         return []
 
     def _property(self, one: Element, scope: Scope, _depth: int) -> list[Element]:
         name = self._need(one, "name", scope)
-        where = {"parent": scope.above, "global": scope.outermost}.get(one.attributes.get("scope", ""), scope)
+        removed = self._flag(one, "remove", scope, default="false")
+        if removed + ("value" in one.attributes) + ("default" in one.attributes) > 1:
+            words = f"the property `{name[:60]}` has more than one of `value`, `default` and `remove`"
+            raise XacroError(words, "write one of them")
+        if removed:
+            scope.remove(name)
+            return []
         if "default" in one.attributes and scope.has(name):
             return []
+        where = {"parent": scope.above, "global": scope.outermost}.get(one.attributes.get("scope", ""), scope)
         text = one.attributes.get("value", one.attributes.get("default"))
         if text is None:
-            where.blocks[name] = one.children
-        elif where is scope:
+            where.give_block(name, one.children)
+        elif where is scope and self._flag(one, "lazy_eval", scope, default="true"):
             where.define(name, text)
         else:
-            where.give(name, self._value(text, scope))
+            where.give(name, self.evaluated(text, scope))
         return []
 
-    def _macro(self, one: Element, _scope: Scope, _depth: int) -> list[Element]:
-        macro = macro_of(one)
-        self._macros[macro.name] = macro
-        return []
+    def _flag(self, one: Element, key: str, scope: Scope, default: str) -> bool:
+        return truth(self._text(one.attributes.get(key, default), scope))
 
     def _if(self, one: Element, scope: Scope, depth: int) -> list[Element]:
-        return self._elements(one.children, scope, depth + 1) if self._holds(one, scope) else []
+        return self._contents(one, scope, depth) if self._holds(one, scope) else []
 
     def _unless(self, one: Element, scope: Scope, depth: int) -> list[Element]:
-        return [] if self._holds(one, scope) else self._elements(one.children, scope, depth + 1)
+        return [] if self._holds(one, scope) else self._contents(one, scope, depth)
+
+    def _contents(self, one: Element, scope: Scope, depth: int) -> list[Element]:
+        found = self._elements(one.children, scope, depth + 1)
+        self._texts_of(one.text, scope)
+        return found
 
     def _holds(self, one: Element, scope: Scope) -> bool:
         if "value" not in one.attributes:
             raise XacroError(f"`{one.name}` has no `value`", 'write value="..." into it')
-        return truth(self._value(one.attributes["value"], scope))
+        return truth(self.evaluated(one.attributes["value"], scope))
 
     def _insert(self, one: Element, scope: Scope, depth: int) -> list[Element]:
         return self._elements(scope.block(self._need(one, "name", scope)), scope, depth + 1)
 
     def _include(self, one: Element, scope: Scope, depth: int) -> list[Element]:
         name = self._need(one, "filename", scope)
-        if "ns" in one.attributes:
-            raise XacroError("files are not included into a name space", "take `ns` out of the include")
+        if any(sign in name for sign in "*?["):
+            words = f"the file `{shown(name)}` is a pattern of several files, which are not looked for"
+            raise XacroError(words, "include each file by its name")
+        inner = scope
+        if one.attributes.get("ns"):
+            inner = IncludedScope(self, scope)
+            scope.give(self._need(one, "ns", scope), inner)
         try:
             path, text = self._text_of_file(name)
         except XacroError:
-            if one.attributes.get("optional", "false") == "true":
+            if literal(one.attributes.get("optional", "")) is True:
                 return []
             raise
         self._deeper()
@@ -146,54 +185,7 @@ class _Expansion(Texts):
         if root is None:
             raise XacroError(f"the file `{shown(path)}` cannot be read")
         self._beside.append(path.rpartition("/")[0])
-        found = self._elements(root.children, scope, depth + 1)
+        found = self._contents(root, inner, depth)
         self._beside.pop()
         self._calls -= 1
         return found
-
-    def _call_by_name(self, one: Element, scope: Scope, depth: int) -> list[Element]:
-        return self._call(self._need(one, "macro", scope), one, scope, depth)
-
-    def _call(self, name: str, one: Element, scope: Scope, depth: int) -> list[Element]:
-        macro = self._macros.get(name)
-        if macro is None:
-            raise XacroError(f"there is no macro `{name[:60]}`", "define it before it is called")
-        self._deeper()
-        inner = Scope(self._value, self._loaded, scope)
-        given = [parameter.name for parameter in macro.parameters if parameter.sort is Sort.VALUE]
-        for key in one.attributes:
-            if key not in given and not (key == "macro" and one.name == "xacro:call"):
-                raise XacroError(
-                    f"macro `{name[:60]}` has no parameter `{key[:60]}`", f"it has {', '.join(given)}"
-                )
-        blocks = list(one.children)
-        for parameter in macro.parameters:
-            if parameter.sort is Sort.VALUE:
-                self._give(parameter, one, scope, inner)
-            else:
-                inner.blocks[parameter.name] = self._block(parameter, blocks, scope, depth)
-        found = self._elements(macro.body, inner, depth + 1)
-        self._calls -= 1
-        return found
-
-    def _give(self, parameter: Parameter, one: Element, scope: Scope, inner: Scope) -> None:
-        text = one.attributes.get(parameter.name)
-        if text is None and parameter.inherits and scope.has(parameter.name):
-            inner.give(parameter.name, scope.value(parameter.name))
-            return
-        if text is None:
-            text = parameter.default
-        if text is None:
-            raise XacroError(f"the call lacks the parameter `{parameter.name}`", "give it as an attribute")
-        inner.give(parameter.name, self._value(text, scope))
-
-    def _block(
-        self, parameter: Parameter, blocks: list[Element], scope: Scope, depth: int
-    ) -> tuple[Element, ...]:
-        """Return the elements passed for a block: the next one, or the contents of the one with its name."""
-        for place, one in enumerate(blocks):
-            if parameter.sort is Sort.ELEMENT or one.name == parameter.name:
-                del blocks[place]
-                whole = (one,) if parameter.sort is Sort.ELEMENT else one.children
-                return tuple(self._elements(whole, scope, depth + 1))
-        raise XacroError(f"the call lacks the block `{parameter.name}`", "put the element into the call")

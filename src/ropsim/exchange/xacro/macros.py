@@ -5,11 +5,12 @@ from enum import Enum
 
 from ropsim.core import frozen_dataclass
 from ropsim.exchange.files.xml_tree import Element
-from ropsim.exchange.xacro.values import XacroError
+from ropsim.exchange.xacro.formulas.values import XacroError
 
 _PARAMETER = re.compile(
     r"\s*(?P<stars>\*{0,2})(?P<name>[^\s:=*'\"]+)"
-    r"(?:(?P<assign>:?=)(?P<above>\^\|?)?(?P<default>'[^']*'|\"[^\"]*\"|\$\{[^}]*\}|\$\([^)]*\)|[^\s'\"]*))?(?=\s|$)"
+    r"(?:\s*(?P<assign>:?=)\s*(?P<above>\^\|?)?"
+    r"(?P<default>\$\{[^}]*\}|\$\([^)]*\)|(?:'[^']*'|\"[^\"]*\"|[^\s'\"])+)?)?(?=\s|$)"
 )
 
 
@@ -40,11 +41,12 @@ class Parameter:
 
 @frozen_dataclass
 class Macro:
-    """A macro: its parameters, and the elements that it stands for."""
+    """A macro: its parameters, and the elements and text that it stands for."""
 
     name: str
     parameters: tuple[Parameter, ...]
     body: tuple[Element, ...]
+    text: str = ""
 
 
 def macro_of(element: Element) -> Macro:
@@ -67,14 +69,9 @@ def macro_of(element: Element) -> Macro:
             )
         found.append(_parameter(match))
         place = match.end()
-    return Macro(name, tuple(found), element.children)
+    return Macro(name, tuple(found), element.children, element.text)
 
 
 def _parameter(match: re.Match[str]) -> Parameter:
     sort = (Sort.VALUE, Sort.ELEMENT, Sort.CONTENT)[len(match.group("stars"))]
-    default, above = match.group("default"), bool(match.group("above"))
-    if default is not None and len(default) > 1 and default[0] == default[-1] and default[0] in "'\"":
-        default = default[1:-1]
-    if above and not default and not match.group("above").endswith("|"):
-        default = None
-    return Parameter(match.group("name"), sort, default, above)
+    return Parameter(match.group("name"), sort, match.group("default") or None, bool(match.group("above")))

@@ -2,10 +2,11 @@
 
 from ropsim.exchange.files.folder import ReadOptions
 from ropsim.exchange.files.xml_tree import MOST_ELEMENTS, Element
-from ropsim.exchange.losses.notes import shown
+from ropsim.exchange.losses.diagnostics import XACRO_MESSAGE
+from ropsim.exchange.losses.notes import Notes, shown
+from ropsim.exchange.xacro.formulas.values import Value, XacroError
 from ropsim.exchange.xacro.scope import Scope
 from ropsim.exchange.xacro.substitution import text_of, value_of_text
-from ropsim.exchange.xacro.values import Value, XacroError
 from ropsim.exchange.xacro.yaml_values import yaml_value
 
 MOST_CALLS = 40
@@ -21,25 +22,81 @@ MOST_STEPS = 5 * MOST_ELEMENTS
 class Texts:
     """Texts of one expansion, with its arguments and the folder of the file that is read now."""
 
-    def __init__(self, options: ReadOptions) -> None:
+    def __init__(self, options: ReadOptions, notes: Notes) -> None:
         self._folder = options.folder
         self._given = options.arguments
+        self._notes = notes
         self._arguments: dict[str, str] = dict(options.arguments)
-        self._files: dict[str, Value] = {}
+        self._files: dict[tuple[str, str], Value] = {}
         self._beside = [options.folder.beside]
+        self._messages: dict[str, None] = {}
+        self._element: Element | None = None
         self._steps = self._made = self._characters = self._calls = 0
 
-    def _step(self, depth: int) -> None:
-        """Count an expanded element."""
-        self._steps += 1
-        if self._steps > MOST_STEPS or depth > MOST_DEPTH:
-            raise XacroError("the file becomes too much, or too deep", "look for a macro that calls itself")
+    def evaluated(self, text: str, scope: Scope) -> Value:
+        """Return the value of a text with substitutions in it.
 
-    def _spend(self, characters: int) -> None:
-        """Count characters that are read or made."""
+        Raises:
+            XacroError: something in it cannot be evaluated.
+        """
+        self.spend(len(text))
+        return value_of_text(text, scope)
+
+    def argument(self, name: str) -> str:
+        """Return an argument of the file.
+
+        Raises:
+            XacroError: it has no value.
+        """
+        if name not in self._arguments:
+            raise XacroError(f"the argument `{name[:60]}` has no value", "give it, or a default by xacro:arg")
+        return self._arguments[name]
+
+    def has_argument(self, name: str) -> bool:
+        """Return whether an argument has a value."""
+        return name in self._arguments
+
+    def loaded(self, path: str) -> Value:
+        """Return the value of a parameter file.
+
+        Raises:
+            XacroError: it cannot be read.
+        """
+        key = (path, self._beside[-1])
+        if key not in self._files:
+            self._files[key] = yaml_value(self._text_of_file(path)[1])
+        return self._files[key]
+
+    def directory(self) -> str:
+        """Return the folder of the file that is read now."""
+        root, beside = self._folder.root, self._beside[-1]
+        if root is None:
+            return beside or "."
+        return (root.absolute() / beside).as_posix()
+
+    def report(self, text: str) -> None:
+        """Note a message of the file itself, once."""
+        if text not in self._messages:
+            self._messages[text] = None
+            span = self._element.span if self._element else None
+            self._notes.add(XACRO_MESSAGE, span, f"the file says: {text}", "see the file for what it wants")
+
+    def spend(self, characters: int) -> None:
+        """Count characters that are read or made.
+
+        Raises:
+            XacroError: there are too many.
+        """
         self._characters += characters
         if self._characters > MOST_CHARACTERS:
             raise XacroError("the file becomes too much", "look for a macro that calls itself")
+
+    def _step(self, depth: int, one: Element) -> None:
+        """Count an expanded element."""
+        self._element = one
+        self._steps += 1
+        if self._steps > MOST_STEPS or depth > MOST_DEPTH:
+            raise XacroError("the file becomes too much, or too deep", "look for a macro that calls itself")
 
     def _make(self) -> None:
         """Count an element that is made."""
@@ -54,23 +111,14 @@ class Texts:
                 f"macros and files are more than {MOST_CALLS} in each other", "look for a circle"
             )
 
-    def _value(self, text: str, scope: Scope) -> Value:
-        self._spend(len(text))
-        return value_of_text(text, scope, self._arguments)
-
     def _text(self, text: str, scope: Scope) -> str:
-        self._spend(len(text))
-        return text_of(text, scope, self._arguments)
+        self.spend(len(text))
+        return text_of(text, scope)
 
     def _need(self, one: Element, key: str, scope: Scope) -> str:
         if key not in one.attributes:
             raise XacroError(f"`{one.name}` has no `{key}`", f"write {key}=... into it")
         return self._text(one.attributes[key], scope)
-
-    def _loaded(self, name: str) -> Value:
-        if name not in self._files:
-            self._files[name] = yaml_value(self._text_of_file(name)[1])
-        return self._files[name]
 
     def _text_of_file(self, name: str) -> tuple[str, str]:
         """Return path and text of a file that is named in the one that is expanded."""
@@ -79,5 +127,5 @@ class Texts:
         if path is None or text is None:
             words = f"the file `{shown(name)}` is not there, or not inside of the given folders"
             raise XacroError(words, "give the folder of its package")
-        self._spend(len(text) // 10)
+        self.spend(len(text) // 10)
         return path, text

@@ -1,21 +1,36 @@
-"""Values in YAML, as far as parameter files of robots use it: mappings, lists and scalars, nothing that acts.
+"""Values in YAML, as parameter files of robots use it: mappings, lists, scalars, anchors; nothing that acts.
 
-Read are mappings and lists by indentation, lists and mappings in brackets on one line, texts in quotation
-marks, comments, and expressions with `!degrees` or `!radians` before them; anchors, other tags and texts over
-several lines are refused (YAML 1.2, 2021, chapters 6 to 8, and the tags of xacro).
+Read are mappings and lists by indentation and in brackets, texts in quotation marks, comments, anchors with
+their aliases and merges, and expressions with a unit such as `!degrees` before them; other tags and texts
+over several lines are refused (YAML 1.2, 2021, chapters 6 to 8; the merge key of YAML 1.1, 2005; the tags of
+xacro).
 """
 
-from math import radians
+import re
+from collections.abc import Mapping
+from math import pi
+from types import MappingProxyType
 
-from ropsim.exchange.xacro.expressions import value_of
-from ropsim.exchange.xacro.scope import Scope
-from ropsim.exchange.xacro.values import Value, XacroError, bounded, literal
+from ropsim.exchange.xacro.formulas.evaluation import value_of
+from ropsim.exchange.xacro.formulas.functions import CONSTANTS
+from ropsim.exchange.xacro.formulas.names import FileOfNames
+from ropsim.exchange.xacro.formulas.tokens import text_in
+from ropsim.exchange.xacro.formulas.values import Value, XacroError, bounded, literal
+from ropsim.exchange.xacro.yaml_lines import Line, yaml_lines
 
-MOST_LINES = 5_000
 MOST_DEPTH = 20
-_REFUSED = ("&", "*", "|", ">", "%", "@", "`", "!")
-_Line = tuple[int, str]
-"""Indentation, and the text behind it."""
+UNITS: Mapping[str, float] = MappingProxyType(
+    {"!radians": 1.0, "!degrees": pi / 180.0, "!meters": 1.0, "!millimeters": 0.001}
+    | {"!foot": 0.3048, "!inches": 0.0254}
+)
+"""Tags of numbers: factor to SI units."""
+_REFUSED = ("|", ">", "%", "@", "`", "!", "?")
+_ANCHOR = re.compile(r"&([^\s\[\]{},]+)(?:\s+|$)")
+_WORDS: Mapping[str, Value] = MappingProxyType(
+    {word: None for word in ("~", "null", "Null", "NULL")}
+    | {word: True for word in ("yes", "Yes", "YES", "on", "On", "ON", "TRUE")}
+    | {word: False for word in ("no", "No", "NO", "off", "Off", "OFF", "FALSE")}
+)
 
 
 def yaml_value(text: str) -> Value:
@@ -24,87 +39,156 @@ def yaml_value(text: str) -> Value:
     Raises:
         XacroError: it uses unsupported syntax, or is too long.
     """
-    lines = _lines(text)
+    lines = yaml_lines(text)
     if not lines:
         return {}
-    value, rest = _block(lines, 0, lines[0][0], 0)
+    reader = _Reader(lines)
+    value, rest = reader.block(0, lines[0][0], 0)
     if rest < len(lines):
         raise XacroError(f"a YAML file is indented unevenly at `{lines[rest][1][:40]}`", "use blanks alone")
     return bounded(value)
 
 
-def _lines(text: str) -> list[_Line]:
-    found: list[_Line] = []
-    for line in text.splitlines():
-        bare = _without_comment(line).rstrip()
-        if bare.strip() and bare.strip() != "---":
-            if len(found) >= MOST_LINES or "\t" in bare[: len(bare) - len(bare.lstrip())]:
-                raise XacroError("a YAML file is too long, or indented by tabulators", "use blanks")
-            found.append((len(bare) - len(bare.lstrip()), bare.strip()))
-    return found
+class _Reader:
+    """Lines of a text, and the anchors met so far."""
 
+    def __init__(self, lines: list[Line]) -> None:
+        self._lines = lines
+        self._anchors: dict[str, Value] = {}
 
-def _without_comment(line: str) -> str:
-    quote = ""
-    for place, letter in enumerate(line):
-        if quote:
-            quote = "" if letter == quote else quote
-        elif letter in "'\"":
-            quote = letter
-        elif letter == "#" and (place == 0 or line[place - 1].isspace()):
-            return line[:place]
-    return line
+    def block(self, place: int, indent: int, depth: int) -> tuple[Value, int]:
+        """Return the value of the lines of one indentation from a place on, and the place behind them."""
+        lines = self._lines
+        if depth > MOST_DEPTH:
+            raise XacroError(f"a YAML file is more than {MOST_DEPTH} deep", "make it flatter")
+        if lines[place][1].startswith(("- ", "-")) and not _is_number(lines[place][1]):
+            return self._sequence(place, indent, depth)
+        if _split(lines[place][1]) is None:
+            return self._scalar(lines[place][1], depth), place + 1
+        found: dict[str, Value] = {}
+        merged: dict[str, Value] = {}
+        while place < len(lines) and lines[place][0] == indent:
+            pair = _split(lines[place][1])
+            if pair is None:
+                raise XacroError(
+                    f"`{lines[place][1][:40]}` is no pair of a key and a value in YAML", "write key: value"
+                )
+            key, rest = pair
+            value, place = self._behind(rest, place + 1, indent, depth)
+            if key == "<<":
+                merged = {**_mapping(value), **merged}
+            else:
+                found[key] = value
+        return {**merged, **found}, place
 
-
-def _block(lines: list[_Line], place: int, indent: int, depth: int) -> tuple[Value, int]:
-    """Return the value of the lines of one indentation from a place on, and the place behind them."""
-    if depth > MOST_DEPTH:
-        raise XacroError(f"a YAML file is more than {MOST_DEPTH} deep", "make it flatter")
-    if lines[place][1].startswith(("- ", "-")) and not _is_number(lines[place][1]):
-        return _sequence(lines, place, indent, depth)
-    if _split(lines[place][1]) is None:
-        return _scalar(lines[place][1], depth), place + 1
-    found: dict[str, Value] = {}
-    while place < len(lines) and lines[place][0] == indent:
-        pair = _split(lines[place][1])
-        if pair is None:
-            raise XacroError(
-                f"`{lines[place][1][:40]}` is no pair of a key and a value in YAML", "write key: value"
-            )
-        key, rest = pair
-        place += 1
+    def _behind(self, rest: str, place: int, indent: int, depth: int) -> tuple[Value, int]:
+        """Return the value behind a key: on its line, or in the deeper lines after it."""
+        lines = self._lines
+        anchor = _ANCHOR.match(rest)
+        if anchor is not None:
+            rest = rest[anchor.end() :]
         deeper = place < len(lines) and (
             lines[place][0] > indent or (lines[place][0] == indent and lines[place][1].startswith("- "))
         )
+        value: Value = None
         if rest:
-            found[key] = _scalar(rest, depth)
+            value = self._scalar(rest, depth)
         elif deeper:
-            found[key], place = _block(lines, place, lines[place][0], depth + 1)
-        else:
-            found[key] = None
-    return found, place
+            value, place = self.block(place, lines[place][0], depth + 1)
+        if anchor is not None:
+            self._anchors[anchor.group(1)] = bounded(value)
+        return value, place
+
+    def _sequence(self, place: int, indent: int, depth: int) -> tuple[Value, int]:
+        lines = self._lines
+        found: list[Value] = []
+        while place < len(lines) and lines[place][0] == indent and lines[place][1].startswith("-"):
+            rest = lines[place][1][1:].strip()
+            anchor = _ANCHOR.match(rest)
+            if anchor is not None:
+                rest = rest[anchor.end() :]
+            value: Value = None
+            if rest and _split(rest) is None and not rest.startswith("- "):
+                value, place = self._scalar(rest, depth), place + 1
+            else:
+                inner = lines[place][0] + (lines[place][1].rindex(rest) if rest else 1)
+                if rest:
+                    lines[place] = (inner, rest)
+                else:
+                    place += 1
+                    inner = lines[place][0] if place < len(lines) else 0
+                if place < len(lines) and inner > indent:
+                    value, place = self.block(place, inner, depth + 1)
+            if anchor is not None:
+                self._anchors[anchor.group(1)] = bounded(value)
+            found.append(value)
+        return found, place
+
+    def _scalar(self, text: str, depth: int) -> Value:
+        anchor = _ANCHOR.match(text)
+        if anchor is not None and anchor.end() < len(text):
+            value = self._scalar(text[anchor.end() :], depth + 1)
+            self._anchors[anchor.group(1)] = value
+            return value
+        if text.startswith("*"):
+            if text[1:].strip() not in self._anchors:
+                raise XacroError(f"`{text[:40]}` has no anchor before it in YAML", "write the value itself")
+            return self._anchors[text[1:].strip()]
+        tag, _, rest = text.partition(" ")
+        if tag in UNITS:
+            return _measured(tag, rest.strip())
+        if text.startswith((*_REFUSED, "&")):
+            raise XacroError(f"`{text[:40]}` is not read in YAML", "write the value itself")
+        if text[0] in "[{":
+            return self._flow(text, depth)
+        if len(text) > 1 and text[0] == text[-1] and text[0] in "'\"":
+            return text[1:-1].replace("''", "'") if text[0] == "'" else text_in(text)
+        return _WORDS[text] if text in _WORDS else literal(text)
+
+    def _flow(self, text: str, depth: int) -> Value:
+        """Return a list or mapping in brackets."""
+        if depth > MOST_DEPTH or text[-1] != {"[": "]", "{": "}"}[text[0]]:
+            raise XacroError(f"`{text[:40]}` does not end, or is too deep", "close the bracket")
+        parts = _parts(text)
+        if not all(parts):
+            raise XacroError(f"`{text[:40]}` has nothing between two commas", "leave one out")
+        if text[0] == "[":
+            return [self._scalar(part, depth + 1) for part in parts]
+        pairs = [_split(part) for part in parts]
+        if any(pair is None or not pair[1] for pair in pairs):
+            raise XacroError(f"`{text[:40]}` holds what is no pair in YAML", "write key: value")
+        return {pair[0]: self._scalar(pair[1], depth + 1) for pair in pairs if pair}
 
 
-def _sequence(lines: list[_Line], place: int, indent: int, depth: int) -> tuple[Value, int]:
-    found: list[Value] = []
-    while place < len(lines) and lines[place][0] == indent and lines[place][1].startswith("-"):
-        rest = lines[place][1][1:].strip()
-        if rest and _split(rest) is None:
-            found.append(_scalar(rest, depth))
-            place += 1
-            continue
-        inner = lines[place][0] + (lines[place][1].index(rest) if rest else 1)
-        if rest:
-            lines[place] = (inner, rest)
-        else:
-            place += 1
-            inner = lines[place][0] if place < len(lines) else 0
-        if place >= len(lines) or inner <= indent:
-            found.append(None)
-            continue
-        value, place = _block(lines, place, inner, depth + 1)
-        found.append(value)
-    return found, place
+def _mapping(value: Value) -> Mapping[str, Value]:
+    """Return what a merge key takes over: a mapping, or several, of which the first ones win."""
+    many = value if isinstance(value, list) else [value]
+    found: dict[str, Value] = {}
+    for one in many:
+        if not isinstance(one, dict):
+            raise XacroError("`<<` in YAML takes mappings", "write `<<: *name`")
+        found = {**one, **found}
+    return found
+
+
+def _measured(tag: str, text: str) -> float:
+    number = value_of(text, _Constants())
+    if not isinstance(number, int | float):
+        raise XacroError(f"behind `{tag}` stands `{text[:40]}`", "write a number")
+    return float(number) * UNITS[tag]
+
+
+class _Constants:
+    """Names of a number with a unit: constants and functions alone."""
+
+    @property
+    def file(self) -> FileOfNames:
+        raise XacroError("a number in YAML names files or arguments", "write numbers")
+
+    def value(self, name: str) -> Value:
+        if name not in CONSTANTS:
+            raise XacroError(f"nobody has defined `{name[:60]}` in YAML", "write numbers")
+        return CONSTANTS[name]
 
 
 def _is_number(text: str) -> bool:
@@ -120,27 +204,14 @@ def _split(text: str) -> tuple[str, str] | None:
         key, rest = text[1:end], text[end + 1 :].lstrip()
         return (key, rest[1:].strip()) if rest.startswith(":") else None
     key, colon, rest = text.partition(":")
-    return (key.strip(), rest.strip()) if colon and (not rest or rest[0] == " ") else None
+    while colon and rest and rest[0] != " ":
+        more, colon, rest = rest.partition(":")
+        key += ":" + more
+    return (key.strip(), rest.strip()) if colon else None
 
 
-def _scalar(text: str, depth: int) -> Value:
-    for tag, factor in (("!degrees", radians(1.0)), ("!radians", 1.0)):
-        if text.startswith(tag):
-            number = value_of(text[len(tag) :], Scope(lambda known, _: known, literal))
-            if not isinstance(number, int | float):
-                raise XacroError(f"behind `{tag}` stands `{text[len(tag) :][:40].strip()}`", "write a number")
-            return float(number) * factor
-    if text.startswith(_REFUSED):
-        raise XacroError(f"`{text[:40]}` is not read in YAML", "write the value itself")
-    if text[0] in "[{":
-        return _flow(text, depth)
-    return None if text in ("~", "null") else literal(text)
-
-
-def _flow(text: str, depth: int) -> Value:
-    """Return a list or mapping in brackets on one line."""
-    if depth > MOST_DEPTH or text[-1] != {"[": "]", "{": "}"}[text[0]]:
-        raise XacroError(f"`{text[:40]}` does not end on its line, or is too deep", "write it on one line")
+def _parts(text: str) -> list[str]:
+    """Return what stands between the commas of brackets."""
     parts: list[str] = []
     level, start, quote = 0, 1, ""
     for place, letter in enumerate(text[1:-1], start=1):
@@ -152,12 +223,4 @@ def _flow(text: str, depth: int) -> Value:
             parts.append(text[start:place].strip())
             start = place + 1
     last = text[start:-1].strip()
-    parts += [last] if last else []
-    if not all(parts):
-        raise XacroError(f"`{text[:40]}` has nothing between two commas", "leave one out")
-    if text[0] == "[":
-        return [_scalar(part, depth + 1) for part in parts]
-    pairs = [_split(part) for part in parts]
-    if any(pair is None or not pair[1] for pair in pairs):
-        raise XacroError(f"`{text[:40]}` holds what is no pair in YAML", "write key: value")
-    return {pair[0]: _scalar(pair[1], depth + 1) for pair in pairs if pair}
+    return [*parts, last] if last else parts

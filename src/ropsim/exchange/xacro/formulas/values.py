@@ -1,9 +1,40 @@
 """Values of expressions: numbers, texts, truth values, lists and dictionaries; none grows without bound."""
 
+from collections.abc import Callable
 from math import isfinite
-from typing import TypeAlias
+from typing import Any, Protocol, TypeAlias, runtime_checkable
 
-Value: TypeAlias = "bool | int | float | str | list[Value] | dict[str, Value] | None"
+from ropsim.core import frozen_dataclass
+
+
+@runtime_checkable
+class NameSpace(Protocol):
+    """Properties of a file that is included with `ns`; a value with members."""
+
+    def value(self, name: str) -> "Value":
+        """Return the value of a property.
+
+        Raises:
+            XacroError: it is undefined.
+        """
+        ...
+
+
+@frozen_dataclass
+class Function:
+    """A function that an expression names without calling it, such as the first argument of `map`."""
+
+    name: str
+    call: Callable[..., Any]
+
+    def __str__(self) -> str:
+        return f"function {self.name}"
+
+
+Value: TypeAlias = (
+    "bool | int | float | str | list[Value] | tuple[Value, ...] | dict[str, Value]"
+    " | Function | NameSpace | None"
+)
 
 LONGEST = 20_000
 """Characters of a text."""
@@ -32,7 +63,7 @@ def bounded(value: Value) -> Value:
         raise XacroError("a number is not finite", "allowed are finite numbers only")
     if isinstance(value, str) and len(value) > LONGEST:
         raise XacroError(f"a text has more than {LONGEST} characters", "make it shorter")
-    if isinstance(value, list | dict):
+    if isinstance(value, list | tuple | dict):
         _count(value)
     return value
 
@@ -45,7 +76,7 @@ def _count(value: Value) -> None:
         left -= 1
         if left < 0:
             raise XacroError(f"a list has more than {LONGEST_LIST} elements", "make it shorter")
-        if isinstance(one, list | dict):
+        if isinstance(one, list | tuple | dict):
             waiting += one.values() if isinstance(one, dict) else one
             if len(waiting) > left:
                 raise XacroError(f"a list has more than {LONGEST_LIST} elements", "make it shorter")
@@ -54,10 +85,10 @@ def _count(value: Value) -> None:
 
 
 def literal(text: str) -> Value:
-    """Return the value of a text: a number, a truth value, a text in quotation marks, else itself."""
+    """Return the value of a text: a number, a truth value, what is in single quotation marks, else itself."""
     word = text.strip()
-    if len(word) >= 2 and word[0] == word[-1] and word[0] in "'\"":
-        return word[1:-1]
+    if len(text) >= 2 and text[0] == text[-1] == "'":
+        return text[1:-1]
     for kind in (int, float):
         try:
             if "_" not in word and word.isascii():
@@ -80,12 +111,12 @@ def words(value: Value) -> str:
 
 
 def truth(value: Value) -> bool:
-    """Return the truth value of an `if` or `unless`.
+    """Return the truth value of an `if` or `unless`; lists and dictionaries are true if they hold anything.
 
     Raises:
-        XacroError: it has no text form: allowed are true, false, and numbers.
+        XacroError: it is a text that is no truth value.
     """
     found = literal(value) if isinstance(value, str) else value
-    if isinstance(found, bool | int | float):
+    if not isinstance(found, str):
         return bool(found)
-    raise XacroError(f"a condition is `{words(found)[:40]}`", "allowed are true, false and numbers")
+    raise XacroError(f"a condition is `{found[:40]}`", "allowed are true, false and numbers")

@@ -1,34 +1,15 @@
 """Values of the parts of an expression, for given values of names."""
 
-from collections.abc import Callable, Mapping
-from typing import Protocol
+from collections.abc import Callable
 
-from ropsim.exchange.xacro.operators import BINARY, applied
-from ropsim.exchange.xacro.values import Value, XacroError, bounded
-
-
-class Names(Protocol):
-    """Values by name."""
-
-    def value(self, name: str) -> Value:
-        """Return the value of a name.
-
-        Raises:
-            XacroError: it is undefined.
-        """
-        ...
-
-    def loaded(self, path: str) -> Value:
-        """Return the value of a parameter file.
-
-        Raises:
-            XacroError: it cannot be had.
-        """
-        ...
-
+from ropsim.exchange.xacro.formulas.names import Names
+from ropsim.exchange.xacro.formulas.operators import BINARY, applied
+from ropsim.exchange.xacro.formulas.values import Value, bounded
 
 Meaning = Callable[[Names], Value]
 """Value of an expression, for given values of names."""
+Arguments = tuple[list[Meaning], dict[str, Meaning]]
+"""Arguments of a call: by place and by name."""
 
 
 def true(value: Value) -> bool:
@@ -85,17 +66,14 @@ def listed_values(parts: list[Meaning]) -> Meaning:
     return lambda names: bounded([part(names) for part in parts])
 
 
-def indexed(of: Meaning, index: Meaning, default: Meaning | None = None) -> Meaning:
-    """Return the value at an index; if there is none, the default, if given, as `get` does."""
+def grouped_values(parts: list[Meaning]) -> Meaning:
+    """Return the meaning of a tuple of expressions."""
+    return lambda names: bounded(tuple(part(names) for part in parts))
 
-    def found(names: Names) -> Value:
-        holder, key = of(names), index(names)
-        if isinstance(holder, Mapping) and str(key) in holder:
-            return holder[str(key)]
-        if isinstance(holder, list | str) and isinstance(key, int) and -len(holder) <= key < len(holder):
-            return holder[key]
-        if default is not None and isinstance(holder, Mapping):
-            return default(names)
-        raise XacroError(f"there is nothing at `{str(key)[:40]}`", "look at the list or dictionary")
 
-    return found
+def called(name: str, function: Callable[..., Value], arguments: Arguments) -> Meaning:
+    """Return the result of a function of values."""
+    places, keywords = arguments
+    return lambda names: applied(
+        name, function, [part(names) for part in places], {key: part(names) for key, part in keywords.items()}
+    )

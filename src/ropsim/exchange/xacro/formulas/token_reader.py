@@ -1,7 +1,7 @@
 """The words of an expression, taken one after the other."""
 
-from ropsim.exchange.xacro.tokens import Sort, Token, tokens
-from ropsim.exchange.xacro.values import XacroError
+from ropsim.exchange.xacro.formulas.tokens import Sort, Token, tokens
+from ropsim.exchange.xacro.formulas.values import XacroError
 
 MOST_DEPTH = 20
 """Parentheses in each other."""

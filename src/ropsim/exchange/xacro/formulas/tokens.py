@@ -5,16 +5,16 @@ from collections.abc import Iterator
 from enum import Enum
 
 from ropsim.core import frozen_dataclass
-from ropsim.exchange.xacro.values import XacroError
+from ropsim.exchange.xacro.formulas.values import XacroError
 
 LONGEST_EXPRESSION = 4_000
 """Characters."""
 
 _PATTERN = re.compile(
     r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)"
+    r"|(?P<text>[uUrRbBfF]{0,2}(?:'(?:[^'\\]|\\.)*'|\"(?:[^\"\\]|\\.)*\"))"
     r"|(?P<name>[A-Za-z_]\w*)"
-    r"|(?P<text>'(?:[^'\\]|\\.)*'|\"(?:[^\"\\]|\\.)*\")"
-    r"|(?P<sign>\*\*|//|==|!=|<=|>=|[-+*/%<>()\[\]{},:.=]))",
+    r"|(?P<sign>\*\*|//|==|!=|<=|>=|<<|>>|[-+*/%<>()\[\]{},:.=&|^]))",
     re.ASCII,
 )
 
@@ -34,6 +34,30 @@ class Token:
 
     sort: Sort
     text: str
+
+
+_ESCAPE = re.compile(r"\\(.)", re.DOTALL)
+_ESCAPED = {"n": "\n", "t": "\t", "r": "\r", "\\": "\\", "'": "'", '"': '"', "\n": ""}
+
+
+def text_in(spelling: str) -> str:
+    """Return the text that a word in quotation marks stands for.
+
+    Raises:
+        XacroError: a prefix or an escape sequence has no meaning here.
+    """
+    start = min(place for place in (spelling.find("'"), spelling.find('"')) if place >= 0)
+    prefix, inner = spelling[:start].lower(), spelling[start + 1 : -1]
+    if prefix not in ("", "u", "r"):
+        raise XacroError(f"a text with `{prefix}` before it is not read", "write the text without the prefix")
+    return inner if prefix == "r" else _ESCAPE.sub(_meant, inner)
+
+
+def _meant(match: re.Match[str]) -> str:
+    letter = match.group(1)
+    if letter in "abfvxuUN01234567":
+        raise XacroError(f"`\\{letter}` in a text is not read", "write the character itself")
+    return _ESCAPED.get(letter, match.group())
 
 
 def tokens(text: str) -> Iterator[Token]:

@@ -1,0 +1,1 @@
+"""Expressions of xacro: values, words, grammar, and what may be called."""
