@@ -14,5 +14,6 @@ from ropsim.cellfile.robots.controller_limits import Limits as Limits
 from ropsim.cellfile.robots.controller_limits import limits_section as limits_section
 from ropsim.cellfile.robots.controller_limits import with_limits as with_limits
 from ropsim.cellfile.robots.controller_limits import written_limits as written_limits
+from ropsim.cellfile.robots.robot_files import is_foreign_file as is_foreign_file
 from ropsim.cellfile.robots.robot_files import is_robot_file as is_robot_file
 from ropsim.cellfile.robots.robot_files import robot_files as robot_files

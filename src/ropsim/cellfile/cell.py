@@ -25,6 +25,7 @@ from ropsim.model import (
     Device,
     Frame,
     ReadRobot,
+    RobotSource,
     Signal,
     Station,
     link_name,
@@ -49,14 +50,14 @@ _OF_ROBOT = "a body of the robot has it: `base`, `link1` and so on, `tool:NAME`"
 
 
 def read_cell(
-    text: SourceText, folder_name: str, robot_files: Mapping[str, ReadRobot] = NO_FILES
+    text: SourceText, folder_name: str, robot_files: Mapping[RobotSource, ReadRobot] = NO_FILES
 ) -> tuple[Cell | None, tuple[Diagnostic, ...]]:
     """Return the work cell that a cell file describes, everything in SI units and the world frame.
 
     Args:
         text: content of `cell.toml`; any text is allowed.
         folder_name: name of the cell if the file has none.
-        robot_files: robots by their paths in the file (`robot_files`).
+        robot_files: robots by their files (`robot_files`).
 
     Returns:
         The cell, or None when there is an error; and the findings in order of their place, findings of its
@@ -72,7 +73,7 @@ def read_cell(
 
 
 def asked_in_cell_file(
-    text: SourceText, robot_files: Mapping[str, ReadRobot] = NO_FILES
+    text: SourceText, robot_files: Mapping[RobotSource, ReadRobot] = NO_FILES
 ) -> tuple[Mapping[Path, Question], frozenset[Path]]:
     """Return the questions of the reader of a cell file by path, and the required paths.
 
@@ -81,7 +82,7 @@ def asked_in_cell_file(
 
     Args:
         text: content of `cell.toml`; any text is allowed.
-        robot_files: robots by their paths in the file.
+        robot_files: robots by their files.
     """
     root, _ = read_document(text)
     if root is None:

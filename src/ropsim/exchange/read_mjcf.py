@@ -51,7 +51,8 @@ def read_mjcf(source: SourceText, options: ReadOptions = STANDARD) -> ReadRobot:
     root = read_xml(source, notes)
     whole = with_included(root, options.folder, notes) if root else None
     description = _description(whole, options, notes) if whole else None
-    return read_robot(description, options.tip, source, notes)
+    made = read_robot(description, options.tip, source, notes)
+    return replace(made, files=options.folder.files)
 
 
 def _description(root: Element, options: ReadOptions, notes: Notes) -> Description | None:

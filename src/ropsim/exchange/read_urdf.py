@@ -1,5 +1,7 @@
 """URDF, and xacro that makes it, become a robot."""
 
+from dataclasses import replace
+
 from ropsim.core import SourceText
 from ropsim.exchange.assembly.description import Description
 from ropsim.exchange.assembly.robot import read_robot
@@ -32,7 +34,8 @@ def read_urdf(source: SourceText, options: ReadOptions = STANDARD) -> ReadRobot:
     root = read_xml(source, notes)
     whole = expanded(root, options, notes) if root and uses_xacro(root) else root
     description = _description(whole, options, notes) if whole else None
-    return read_robot(description, options.tip, source, notes)
+    made = read_robot(description, options.tip, source, notes)
+    return replace(made, files=options.folder.files)
 
 
 def _description(root: Element, options: ReadOptions, notes: Notes) -> Description | None:

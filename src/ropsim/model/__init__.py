@@ -160,6 +160,8 @@ from ropsim.model.robots.dh import joints_from_dh as joints_from_dh
 from ropsim.model.robots.dh import limited as limited
 from ropsim.model.robots.dh import links_from_dh as links_from_dh
 from ropsim.model.robots.files import ReadRobot as ReadRobot
+from ropsim.model.robots.files import RobotSource as RobotSource
+from ropsim.model.robots.files import Tip as Tip
 from ropsim.model.robots.files import WrittenRobot as WrittenRobot
 from ropsim.model.robots.held_arm import HeldArm as HeldArm
 from ropsim.model.robots.held_arm import axes_words as axes_words

@@ -71,7 +71,9 @@ def read_nirox(source: SourceText) -> ReadNirox:
         return ReadNirox(None, found_here)
     robot, frames = made
     further = further_data_of(seen, robot, frames)
-    return ReadNirox(robot, (*found_here, *_kept(seen, further)), conformance_of(robot), further)
+    return ReadNirox(
+        robot, (*found_here, *_kept(seen, further)), conformance=conformance_of(robot), further=further
+    )
 
 
 def read_valid_nirox(source: SourceText) -> RobotModel:

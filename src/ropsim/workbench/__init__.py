@@ -35,6 +35,9 @@ from ropsim.workbench.projects.project import FailedRunError as FailedRunError
 from ropsim.workbench.projects.project import Project as Project
 from ropsim.workbench.projects.project import ProjectError as ProjectError
 from ropsim.workbench.projects.replay import pack_of as pack_of
+from ropsim.workbench.robots.carried_meshes import carried as carried
+from ropsim.workbench.robots.carried_meshes import plain_name as plain_name
+from ropsim.workbench.robots.carried_meshes import project_of_robot as project_of_robot
 from ropsim.workbench.robots.named_robot import NamedRobot as NamedRobot
 from ropsim.workbench.robots.named_robot import RobotFileError as RobotFileError
 from ropsim.workbench.robots.named_robot import built_in_robots as built_in_robots

@@ -1,4 +1,4 @@
-"""Diagnostics of projects (X843 to X849, X895, X910 to X912)."""
+"""Diagnostics of projects (X843 to X849, X895, X911, X912 and X922)."""
 
 from ropsim.core import Category, Severity, define
 
@@ -129,4 +129,18 @@ longer be carried out, `restart` forgets them.
 `save NAME` writes a program that does what the session did: NAME is letters, digits and `_`, and nothing else
 has it, neither a word of the language nor a task of the program.
 """,
+)
+
+REQUEST_UNUSED = define(
+    "X922",
+    "robot-request-unused",
+    Severity.ERROR,
+    "a tip, package or argument for a robot that takes none",
+    """
+`--tip`, `--package` and `--arg`, and the keys `tip`, `package` and `arg` of a cell file, are for robots in
+URDF, xacro and MJCF: such a file does not say which link carries the tool, names other packages, or has
+arguments. Built-in robots, NIROX (`.stp`) and robot files (`.toml`) name their mechanical interface and need
+no other file.
+""",
+    Category.USAGE,
 )

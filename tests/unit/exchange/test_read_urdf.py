@@ -144,8 +144,8 @@ def test_missing_meshes_are_said_once_for_each_package_with_their_number_and_err
     found = read_urdf(SourceText("arm.urdf", text))
     said = [one.message for one in found.findings if one.code == "X991"]
     assert said == [
-        "3 meshes of `package://b` are not inside of the given folders, such as `package://b/m0.stl`",
-        "6 meshes of `package://a` are not inside of the given folders, such as `package://a/m1.stl`",
+        "3 meshes of `package://b` are not near to the robot file, such as `package://b/m0.stl`",
+        "6 meshes of `package://a` are not near to the robot file, such as `package://a/m1.stl`",
     ]
     wrong = read_urdf(SourceText("arm.urdf", text.replace('mass value="2"', 'mass value="nan"', 1)))
     errors = [one.is_error for one in wrong.findings]
@@ -248,9 +248,9 @@ BAD = {
         ARM.replace('type="prismatic"', 'type="fixed"').replace('type="revolute"', 'type="fixed"'),
     ],
     "X988": [
-        ARM.replace('"tool0"', '"a"').replace(
-            'name="tool_mount" type="fixed"', 'name="tool_mount" type="continuous"'
-        )
+        '<robot name="a"><link name="b"/><link name="l"/><link name="r"/>'
+        '<joint name="jl" type="continuous"><parent link="b"/><child link="l"/></joint>'
+        '<joint name="jr" type="continuous"><parent link="b"/><child link="r"/></joint></robot>'
     ],
 }
 
@@ -324,8 +324,8 @@ def branch(prefix: str, end: str, joints: int) -> str:
     [
         ([("a_", "tool0", 2), ("b_", "tip", 3)], 2),  # by its name, with a prefix
         ([("a_", "end", 2), ("b_", "tip", 3)], 3),  # by its depth
-        ([("a_", "tool0", 2), ("b_", "tool0", 3)], 3),  # the name says nothing
-        ([("a_", "tool0", 2), ("b_", "tool0", 2)], 0),  # nor does the depth
+        ([("a_", "tool0", 2), ("b_", "tool0", 3)], 3),  # by its name, then its depth
+        ([("a_", "tool0", 2), ("b_", "tool0", 2)], 0),  # both are alike
     ],
 )
 def test_the_tip_is_recognised(branches: list[tuple[str, str, int]], joints: int) -> None:

@@ -75,7 +75,7 @@ def test_meshes_of_packages_are_found_and_missing_ones_are_told(folder: Path) ->
     robot = robot_of(found)
     assert Mesh("packages/fore.stl") in [one.solid for one in robot.links[1].shapes]
     missing = [one.message for one in found.findings if one.code == "X991"]
-    assert missing == ["the mesh `packages/upper.stl` is not there"]
+    assert missing == ["the mesh `package://arm/upper.stl` is not there"]
 
 
 WRONG = {

@@ -5,10 +5,17 @@ from dataclasses import replace
 
 from ropsim import robots
 from ropsim.core import Diagnostic, RopsimError, SourceText, frozen_dataclass
-from ropsim.model import ReadRobot, RobotModel
+from ropsim.model import ReadRobot, RobotModel, RobotSource
 from ropsim.tomltext import Question, Sort, TomlTable, document_values
 
-NO_FILES: Mapping[str, ReadRobot] = {}
+NO_FILES: Mapping[RobotSource, ReadRobot] = {}
+FOREIGN_ENDINGS = (".urdf", ".xacro", ".xml")
+"""Endings of robot files in formats of others."""
+
+
+def is_foreign_file(path: str) -> bool:
+    """Return whether a robot file is in a format of others, which takes `tip`, `package` and `arg`."""
+    return path.lower().endswith(FOREIGN_ENDINGS)
 
 
 def is_robot_file(name: str) -> bool:
@@ -16,8 +23,8 @@ def is_robot_file(name: str) -> bool:
     return any(sign in name for sign in "/\\.")
 
 
-def robot_files(text: SourceText | None) -> tuple[str, ...]:
-    """Return the paths of the robot files that a cell file names, each once; none where it is no TOML."""
+def robot_files(text: SourceText | None) -> tuple[RobotSource, ...]:
+    """Return the robot files that a cell file names, each once; none where it is no TOML."""
     if text is None:
         return ()
     try:
@@ -27,8 +34,41 @@ def robot_files(text: SourceText | None) -> tuple[str, ...]:
     stations = values.get("stations")
     tables = [(values.get("robot"), "model")]
     tables += [(one, "robot") for one in stations.values()] if isinstance(stations, dict) else []
-    named = [table.get(key) for table, key in tables if isinstance(table, dict)]
-    return tuple(dict.fromkeys(one for one in named if isinstance(one, str) and is_robot_file(one)))
+    named = [_source(table, key) for table, key in tables if isinstance(table, dict)]
+    return tuple(dict.fromkeys(one for one in named if one is not None))
+
+
+def _source(table: Mapping[str, object], key: str) -> RobotSource | None:
+    """Return the robot file that a table names; None for a built-in robot.
+
+    Values of other types are left out; `RobotLibrary` notes them.
+
+    Args:
+        table: `[robot]` or `[stations.NAME]`.
+        key: that names the robot.
+    """
+    path, tip = table.get(key), table.get("tip")
+    if not isinstance(path, str) or not is_robot_file(path):
+        return None
+    if not is_foreign_file(path):
+        return RobotSource(path)
+    packages, arguments = (_texts(table.get(name)) for name in ("package", "arg"))
+    return RobotSource(path, tip if isinstance(tip, str) else "", packages, arguments)
+
+
+def _texts(value: object) -> tuple[tuple[str, str], ...]:
+    """Return the pairs of an inline table, numbers and truth values as texts of xacro."""
+    if not isinstance(value, dict):
+        return ()
+    return tuple((name, _word(one)) for name, one in value.items() if _is_word(one))
+
+
+def _is_word(value: object) -> bool:
+    return isinstance(value, str | bool | int | float)
+
+
+def _word(value: object) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 @frozen_dataclass
@@ -36,21 +76,25 @@ class RobotLibrary:
     """Robots that a cell file can name, in addition to the built-in ones.
 
     Attributes:
-        files: robots of the project by the paths of their files.
+        files: robots of the project by their files, with what the cell file requests of them.
     """
 
-    files: Mapping[str, ReadRobot]
+    files: Mapping[RobotSource, ReadRobot]
 
     def arm(self, table: TomlTable, key: str) -> RobotModel | None:
         """Return the robot that a key names; None where there is none, which is noted at its value."""
         table.require(key)
         name = table.text(key, "")
-        table.ask(key, Question(Sort.TEXT, likely=(*robots.names(), *self.files)))
+        paths = dict.fromkeys(source.path for source in self.files)
+        table.ask(key, Question(Sort.TEXT, likely=(*robots.names(), *paths)))
         if not name and table.values.get(key) != "":  # it is absent or no text, which has been said
             return None
-        if name in self.files:
-            self._note_unplaced(table, key)
-            return self.files[name].robot
+        source = _source(table.values, key)
+        if source is not None and is_foreign_file(name):
+            _check_request(table)
+        if source is not None and source in self.files:
+            self._note_unplaced(self.files[source], table, key)
+            return self.files[source].robot
         try:
             return robots.load(name)
         except RopsimError as error:
@@ -61,8 +105,17 @@ class RobotLibrary:
         """Return the findings in the files, at places in them."""
         return tuple(one for read in self.files.values() for one in read.findings if one.span is not None)
 
-    def _note_unplaced(self, table: TomlTable, key: str) -> None:
+    def _note_unplaced(self, read: ReadRobot, table: TomlTable, key: str) -> None:
         """Note at the value of a key why its file could not be read."""
-        found = self.files[str(table.values[key])].findings
         span = table.value_span(key)
-        table.findings.items.extend(replace(one, span=span) for one in found if one.span is None)
+        table.findings.items.extend(replace(one, span=span) for one in read.findings if one.span is None)
+
+
+def _check_request(table: TomlTable) -> None:
+    """Read the keys that say how a robot file is read, to note mistakes in them."""
+    table.text("tip", "")
+    for name in ("package", "arg"):
+        inner = table.table(name)
+        for key, value in inner.values.items():
+            if key in inner and not _is_word(value):
+                inner.wrong_type((key,), value, "text in quotation marks")

@@ -3,6 +3,7 @@
 import argparse
 
 from ropsim.cli.arguments.command import Commands, command, lazy
+from ropsim.cli.arguments.robot import foreign
 
 
 def new(commands: Commands) -> None:
@@ -14,6 +15,7 @@ def new(commands: Commands) -> None:
     origin.add_argument(
         "--robot", metavar="ROBOT", help="a cell with this robot instead: a built-in name, or a robot file"
     )
+    foreign(parser)
     command(commands, "examples", "new:examples", "list the examples")
 
 

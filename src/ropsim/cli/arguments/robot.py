@@ -20,25 +20,32 @@ def robot(commands: Commands) -> None:
         "path", metavar="PATH", nargs="?", default=".", help="project folder (default: this folder)"
     )
     show = command(actions, "show", "robot:show", "print joints, limits and where the numbers come from")
-    show.add_argument("name", metavar="NAME", help=_ROBOT)
+    _of_robot(show)
     show.add_argument("--png", metavar="FILE", help="draw it in its rest position into this picture, too")
     audit = command(actions, "audit", "robot:audit", "say what is doubtful in a model")
-    audit.add_argument("name", metavar="NAME", help=_ROBOT)
+    _of_robot(audit)
     export = command(actions, "export", "robot_export:export", "write a robot into a file")
-    export.add_argument("name", metavar="NAME", help=_ROBOT)
+    _of_robot(export)
     export.add_argument("file", metavar="FILE", help="its ending says the format: .toml is a robot file")
     estimate = command(
         actions, "estimate", "robot_estimate:estimate", "write a robot with estimated masses and drives"
     )
-    estimate.add_argument("name", metavar="NAME", help=_ROBOT)
+    _of_robot(estimate)
     estimate.add_argument("file", metavar="FILE", help="such as robots/arm.stp or robots/arm.toml")
     import_ = command(
-        actions, "import", "robot_export:export", "take a robot of another format into a project"
+        actions,
+        "import",
+        "robot_import:import_",
+        "take a robot of another format into a project, with its meshes",
     )
-    import_.add_argument("name", metavar="FILE", help="the file, such as arm.urdf")
+    import_.add_argument("name", metavar="FILE", help="the file, such as arm.urdf or arm.xacro")
     import_.add_argument(
-        "--to", metavar="FILE", dest="file", required=True, help="such as robots/arm.stp or robots/arm.toml"
+        "--to",
+        metavar="FILE",
+        dest="file",
+        help="such as robots/arm.stp or robots/arm.toml (default: robots/NAME.stp)",
     )
+    foreign(import_)
     for one in (export, import_):
         one.add_argument(
             "--as",
@@ -49,12 +56,12 @@ def robot(commands: Commands) -> None:
         )
         one.add_argument("--strict", action="store_true", help="write nothing where something would be lost")
     forward = command(actions, "fk", "robot:fk", "print the pose of the mechanical interface (the flange)")
-    forward.add_argument("name", metavar="NAME", help=_ROBOT)
+    _of_robot(forward)
     forward.add_argument(
         "q", metavar="DEG", nargs="+", type=float, help="joint coordinates in degrees (mm for sliding joints)"
     )
     inverse = command(actions, "ik", "ik:ik", "print every posture that reaches a pose of the flange")
-    inverse.add_argument("name", metavar="NAME", help=_ROBOT)
+    _of_robot(inverse)
     for name in ("x", "y", "z"):
         inverse.add_argument(name, metavar=name.upper(), type=float, help="position in the base frame [mm]")
     for name, axis in (("roll", "x"), ("pitch", "y"), ("yaw", "z")):
@@ -62,6 +69,43 @@ def robot(commands: Commands) -> None:
             name, metavar=name.upper(), type=float, help=f"turn about the fixed {axis} axis [deg]"
         )
     _workspace(actions)
+
+
+def _of_robot(parser: argparse.ArgumentParser) -> None:
+    """Add the robot that a command is about."""
+    parser.add_argument("name", metavar="NAME", help=_ROBOT)
+    foreign(parser)
+
+
+def foreign(parser: argparse.ArgumentParser) -> None:
+    """Add what a URDF, xacro or MJCF file does not say itself."""
+    group = parser.add_argument_group("for URDF, xacro and MJCF")
+    group.add_argument("--tip", metavar="LINK", default="", help="link or site that carries the tool")
+    group.add_argument(
+        "--package",
+        metavar="NAME=DIR",
+        type=_pair,
+        action="append",
+        default=[],
+        help="folder of a package that is not found around the file; may stand several times",
+    )
+    group.add_argument(
+        "--arg",
+        metavar="NAME=VALUE",
+        type=_pair,
+        action="append",
+        default=[],
+        help="argument of a xacro file; may stand several times",
+    )
+
+
+def _pair(text: str) -> tuple[str, str]:
+    """Return a name and a text; xacro writes `name:=value`."""
+    name, sign, value = text.partition("=")
+    name = name.removesuffix(":").strip()
+    if not sign or not name:
+        raise argparse.ArgumentTypeError(f"`{text}` is not of the form NAME=VALUE")
+    return name, value
 
 
 def _workspace(actions: Commands) -> None:

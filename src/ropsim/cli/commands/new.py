@@ -3,6 +3,7 @@
 import argparse
 import shlex
 
+from ropsim.cli.terminal.named_robot import asked_robot, requested
 from ropsim.cli.terminal.output import Output
 from ropsim.userfiles import STARTER, example_names, example_summary
 from ropsim.workbench import new_project, new_robot_project
@@ -11,7 +12,10 @@ from ropsim.workbench import new_project, new_robot_project
 def new(options: argparse.Namespace, output: Output) -> int:
     """Make a project folder from an example, or for a robot."""
     if options.robot:
-        place = new_robot_project(options.path, options.robot)
+        options.name = options.robot
+        if asked_robot(options, output).robot is None:
+            return 1
+        place = new_robot_project(options.path, requested(options, options.robot))
     else:
         place = new_project(options.path, options.example or STARTER)
     output.text(f"made {place}; next: ropsim run {shlex.quote(str(place))}")

@@ -10,7 +10,7 @@ import numpy as np
 from ropsim import kinematics, robots
 from ropsim.cli.terminal.coordinates import check_coordinates, display, joint_coordinates, shown
 from ropsim.cli.terminal.drive_words import drive_lines
-from ropsim.cli.terminal.named_robot import named_robot
+from ropsim.cli.terminal.named_robot import asked_robot, named_robot, requested, say_tip, tip_name
 from ropsim.cli.terminal.output import Output, cannot_write
 from ropsim.cli.terminal.solver_words import solver_document, solver_lines
 from ropsim.core import Category, Diagnostic, RopsimError, Severity, define, replace_file
@@ -63,7 +63,8 @@ def _choice(one: robots.CatalogueEntry) -> str:
 
 def show(options: argparse.Namespace, output: Output) -> int:
     """Print a model."""
-    robot = named_robot(options, output)
+    asked = asked_robot(options, output)
+    robot = asked.robot
     if robot is None:
         return 1
     from ropsim.nirox import ConformanceClass, conformance_of
@@ -88,6 +89,7 @@ def show(options: argparse.Namespace, output: Output) -> int:
             "name": robot.name,
             "conformance": class_.name,
             "title": robot.title,
+            "tip": tip_name(asked),
             "rated_payload": robot.rated_payload if math.isfinite(robot.rated_payload) else None,
             "joints": [
                 {"name": joint.name, "type": joint.type.value, "lower": joint.lower, "upper": joint.upper}
@@ -117,11 +119,12 @@ def _draw(robot: RobotModel, file: str, output: Output) -> None:
 
 def audit(options: argparse.Namespace, output: Output) -> int:
     """Report doubts about a model."""
-    asked = find_robot(options.name)
+    asked = find_robot(requested(options, options.name))
+    say_tip(asked, output)
     doubts = _doubts(asked.robot, asked.place_of) if asked.robot else ()
     found = (*asked.findings, *doubts)
     code = output.findings(found, {asked.text.name: asked.text} if asked.text else {})
-    output.document({"ok": code == 0, **diagnostic_document(found)})
+    output.document({"ok": code == 0, "tip": tip_name(asked), **diagnostic_document(found)})
     return code
 
 

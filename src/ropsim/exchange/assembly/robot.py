@@ -10,7 +10,7 @@ from ropsim.exchange.assembly.description import Connection, Description, Motion
 from ropsim.exchange.assembly.joint_limits import limits_of, unknown_limits, unknown_names
 from ropsim.exchange.assembly.kept_joints import KeptJoints, kept_joints
 from ropsim.exchange.assembly.link_tree import LinkTree, link_tree
-from ropsim.exchange.assembly.tip import tip_of
+from ropsim.exchange.assembly.tip import ChosenTip, tip_of
 from ropsim.exchange.losses.notes import Notes
 from ropsim.model import (
     BASE_LINK,
@@ -46,20 +46,22 @@ def read_robot(
         source: the file.
         notes: of the reading so far.
     """
-    robot = _robot(description, tip, source, notes) if description and not notes.fatal else None
-    return ReadRobot(None if notes.fatal else robot, notes.found)
+    if description is None or notes.fatal:
+        return ReadRobot(None, notes.found)
+    description = with_added_turns(description)
+    tree = link_tree(description, notes)
+    chosen = tip_of(description, tree, tip, notes) if tree else None
+    robot = _robot(description, tree, chosen, source, notes) if tree and chosen else None
+    return ReadRobot(None if notes.fatal else robot, notes.found, chosen.tip if chosen else None)
 
 
 def _robot(
-    description: Description, wanted: str | None, source: SourceText, notes: Notes
+    description: Description, tree: LinkTree, chosen: ChosenTip, source: SourceText, notes: Notes
 ) -> RobotModel | None:
-    description = with_added_turns(description)
-    tree = link_tree(description, notes)
-    found = tip_of(description, tree, wanted, notes) if tree else None
-    kept = kept_joints(tree, found[0], description.span, notes) if tree and found else None
-    if tree is None or found is None or kept is None:
+    kept = kept_joints(tree, chosen.body, description.span, notes)
+    if kept is None:
         return None
-    tip, X_TM = found
+    tip, X_TM = chosen.body, chosen.X_CM
     placed = _placed(tree, kept)
     moved = [one for one in tree.order if one.name in kept.numbers]
     joints = tuple(_joint(one, placed) for one in moved)

@@ -1,9 +1,14 @@
-"""Which body of a tree carries the tool."""
+"""Which link of a robot file carries the tool."""
 
-from ropsim.exchange.assembly.description import Description, Motion
+from collections.abc import Mapping, Sequence
+
+from ropsim.core import frozen_dataclass
+from ropsim.exchange.assembly.description import Description
+from ropsim.exchange.assembly.ends import axes_before, ends_of
 from ropsim.exchange.assembly.link_tree import LinkTree
 from ropsim.exchange.losses.diagnostics import TIP_UNCLEAR, UNKNOWN_ENTITY
 from ropsim.exchange.losses.notes import Notes, listed
+from ropsim.model import Tip
 from ropsim.spatial import Pose
 
 USUAL_TIPS = (
@@ -20,46 +25,65 @@ USUAL_TIPS = (
 """Names of the mechanical interface in robot files, with a prefix or without (REP 199, makers' files)."""
 
 
-def tip_of(
-    description: Description, tree: LinkTree, wanted: str | None, notes: Notes
-) -> tuple[str, Pose] | None:
-    """Return the body that is the tip, and the interface in its frame; nothing where that is unclear (noted).
+@frozen_dataclass
+class ChosenTip:
+    """The tip of a robot file.
 
-    It is the body or frame that is requested, else the only one with a usual name, else the end behind the
-    most joints; where several ends are fixed to the last of these, the body that it moves.
+    Attributes:
+        tip: its name, and why it was chosen.
+        body: the body that carries it.
+        X_CM: interface in the frame of the body.
+    """
+
+    tip: Tip
+    body: str
+    X_CM: Pose
+
+
+_Known = Mapping[str, tuple[str, Pose]]
+
+
+def tip_of(description: Description, tree: LinkTree, wanted: str | None, notes: Notes) -> ChosenTip | None:
+    """Return the link or frame that is the tip; nothing where that is unclear (noted).
+
+    It is the one that is requested, else the one with a usual name, else the end of the
+    arm with most axes, see `ends_of`.
     """
     known = dict(description.frames) | {one.name: (one.name, Pose()) for one in description.bodies}
     if wanted is not None:
         if wanted not in known:
             notes.unknown(UNKNOWN_ENTITY, description.span, "the tip is to be", wanted, known)
-        return known.get(wanted)
+            return None
+        return ChosenTip(Tip(wanted, "as requested"), *known[wanted])
+    usual = _usual(known, tree)
+    if len(usual) == 1:
+        return ChosenTip(Tip(usual[0], "its name is usual"), *known[usual[0]])
+    ends = ends_of(tree)
+    if usual or len(ends) > 1:
+        _unclear(description, usual or [one.body for one in ends], notes)
+        return None
+    end = ends[0]
+    reason = "axes behind it move fingers" if end.is_hand else "it is the end with most axes before it"
+    return ChosenTip(Tip(end.body, reason), end.body, Pose())
+
+
+def _usual(known: _Known, tree: LinkTree) -> list[str]:
+    """Return the names for the first usual word that some moved links have.
+
+    It is the exact name, else those that end with the word and have most axes before them.
+    """
+    axes = {name: axes_before(tree, body) for name, (body, _) in known.items()}
+    moved = [name for name, count in axes.items() if count]
     for usual in USUAL_TIPS:
-        found = [name for name in known if name == usual or name.endswith(("_" + usual, "/" + usual))]
-        if len(found) == 1:
-            return known[found[0]]
-    end = _deepest(description, tree, notes)
-    return (end, Pose()) if end else None
+        exact = [name for name in moved if name.lower() == usual]
+        found = [name for name in moved if name.lower().endswith(("_" + usual, "/" + usual, "-" + usual))]
+        if exact or found:
+            most = max((axes[name] for name in found), default=0)
+            return exact or [name for name in found if axes[name] == most]
+    return []
 
 
-def _deepest(description: Description, tree: LinkTree, notes: Notes) -> str | None:
-    depth, last = {tree.root: 0}, {tree.root: tree.root}
-    for one in tree.order:
-        moves = one.motion is not Motion.NONE and one.following is None
-        depth[one.child] = depth[one.parent] + moves
-        last[one.child] = one.child if moves else last[one.parent]
-    parents = {one.parent for one in tree.order}
-    most = max(depth.values())
-    ends = [name for name in depth if depth[name] == most and name not in parents]
-    behind = {last[name] for name in ends}
-    if len(ends) == 1:
-        return ends[0]
-    if len(behind) == 1:
-        return behind.pop()
-    notes.add(
-        TIP_UNCLEAR,
-        description.span,
-        f"{len(ends)} ends have {most} joints before them: {listed(ends)}",
-        f"name the tip: allowed are {listed(ends)}",
-        {"ends": tuple(ends)},
-    )
-    return None
+def _unclear(description: Description, ends: Sequence[str], notes: Notes) -> None:
+    words = f"{len(ends)} links can carry the tool: {listed(ends)}"
+    hint = f'choose one: `--tip {ends[0]}`, or in a cell file `tip = "{ends[0]}"`'
+    notes.add(TIP_UNCLEAR, description.span, words, hint, {"ends": tuple(ends)})

@@ -7,27 +7,34 @@ from pathlib import Path
 from types import MappingProxyType
 
 from ropsim.core import frozen_dataclass, read_bytes
+from ropsim.exchange.files.packages import Packages
 
 NO_PACKAGES: Mapping[str, str] = MappingProxyType({})
+SCHEMES = ("package://", "model://")
+"""Beginnings of names that count from the folder of a package."""
 _LARGEST = 20_000_000  # bytes of an included file
 
 
 @frozen_dataclass
 class RobotFolder:
-    """A project folder, and where in it the packages are that robot files speak of.
+    """The folder from which paths count, and where in it the packages are that robot files speak of.
 
     Attributes:
-        root: the project folder; None if no file may be read: then meshes are taken as named.
-        packages: folder of each package, from the project folder on, with `/`.
-        beside: folder of the robot file, relative to the project folder, with `/`.
+        root: the folder; None if no file may be read: then meshes are taken as named.
+        packages: folder of each package, from the root on, with `/`.
+        beside: folder of the robot file, from the root on, with `/`.
+        open: folders whose files are read, in addition to those of found packages; empty text for the root.
+        read: paths that were read or looked for; not part of the content.
     """
 
     root: Path | None = None
     packages: Mapping[str, str] = field(default_factory=lambda: NO_PACKAGES)
     beside: str = ""
+    open: tuple[str, ...] = ("",)
+    read: set[str] = field(default_factory=set, compare=False, repr=False)
 
     def path(self, name: str, beside: str | None = None) -> str | None:
-        """Return the path of a named file from the project folder on; nothing where it is outside of it.
+        """Return the path of a named file from the root on; nothing where it is outside of it.
 
         Args:
             name: `package://package/path`, `file://path`, or a path relative to the file that names it.
@@ -35,7 +42,7 @@ class RobotFolder:
         """
         start = self.beside if beside is None else beside
         name = name.removeprefix("file://").replace("\\", "/")
-        for scheme in ("package://", "model://"):
+        for scheme in SCHEMES:
             if name.startswith(scheme):
                 package, _, name = name[len(scheme) :].partition("/")
                 if package not in self.packages:
@@ -47,8 +54,25 @@ class RobotFolder:
             return self._within(name)
         return _normal(f"{start}/{name}" if start else name)
 
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """Return the files that were read or looked for, and folders whose new entries may be packages."""
+        if self.root is None:
+            return ()
+        folders = self.packages.searched if isinstance(self.packages, Packages) else ()
+        return (*(self.root / one for one in sorted(self.read)), *folders)
+
+    def absence(self, name: str) -> tuple[str, str]:
+        """Return why a named file has no path, a clause behind `is` or `are`, and the next action."""
+        for scheme in SCHEMES:
+            package = name.removeprefix(scheme).partition("/")[0]
+            if name.startswith(scheme) and package not in self.packages:
+                hint = f"name the folder of the package: `--package {package}=DIR`"
+                return "not near to the robot file", hint
+        return "outside of the folder of the robot file", "put it beside that file"
+
     def _within(self, name: str) -> str | None:
-        """Return an absolute path from the project folder on."""
+        """Return an absolute path from the root on."""
         if self.root is None:
             return None
         try:
@@ -57,8 +81,12 @@ class RobotFolder:
             return None
         return None if inside.startswith("..") else inside
 
+    def name_of(self, path: str) -> str:
+        """Return the name by which messages speak of a file."""
+        return path if self.root is None else str(self.root / path)
+
     def has(self, path: str) -> bool:
-        """Return whether a file is there, and not by a link that leads out of the folder."""
+        """Return whether a file is there, and not by a link that leads out of the open folders."""
         return self.root is None or self._file(path) is not None
 
     def text(self, path: str) -> str | None:
@@ -74,12 +102,16 @@ class RobotFolder:
     def _file(self, path: str) -> Path | None:
         if self.root is None:
             return None
+        self.read.add(path)
         try:
             place = Path(os.path.realpath(self.root / path))
-            inside = place.is_relative_to(os.path.realpath(self.root))
+            inside = any(place.is_relative_to(os.path.realpath(self.root / one)) for one in self._open())
             return place if inside and place.is_file() else None
         except (OSError, ValueError):
             return None
+
+    def _open(self) -> tuple[str, ...]:
+        return (*self.open, *self.packages.values())
 
 
 def _normal(path: str) -> str | None:

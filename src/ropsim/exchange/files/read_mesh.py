@@ -1,18 +1,16 @@
 """Meshes that a robot file names: paths inside of the project folder, in a format that is drawn."""
 
 from ropsim.core import Span
-from ropsim.exchange.files.folder import RobotFolder
+from ropsim.exchange.files.folder import SCHEMES, RobotFolder
 from ropsim.exchange.losses.diagnostics import MESH_MISSING
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
 from ropsim.exchange.losses.notes import Notes, shown
 from ropsim.model import MESH_ENDINGS, Mesh
 
-_SCHEMES = ("package://", "model://")
-
 
 def package_of(name: str) -> str:
     """Return the package of a mesh as a robot file names it, otherwise its folder; bounded in length."""
-    for scheme in _SCHEMES:
+    for scheme in SCHEMES:
         if name.startswith(scheme):
             return shown(scheme + name.removeprefix(scheme).partition("/")[0])
     return shown(name.replace("\\", "/").rpartition("/")[0])
@@ -32,9 +30,10 @@ def mesh_of(
     """
     path = folder.path(name)
     if path is None:
-        why, hint = "not inside of the given folders", "give the folder of its package"
-        notes.absent(MESH_MISSING, package_of(name), span, shown(name), why, hint)
+        notes.absent(MESH_MISSING, package_of(name), span, shown(name), *folder.absence(name))
         return None
+    if not folder.has(path):
+        path = folder.path(name, beside="") or path  # counted from the folder of the project
     if not path.lower().endswith(MESH_ENDINGS):
         words = f"the mesh `{shown(name)}` is not drawn: read are {', '.join(MESH_ENDINGS)}"
         notes.add(LOST_DESCRIPTION, span, words, "convert it to one of these")
@@ -47,7 +46,7 @@ def mesh_of(
         notes.add(LOST_DESCRIPTION, span, words, "scale the mesh file itself")
         return None
     if not folder.has(path):
-        hint = "put it there; the path counts from the project folder"
-        notes.absent(MESH_MISSING, package_of(name), span, shown(path), "not there", hint)
+        hint = "put it there; the path counts from the folder of the robot file"
+        notes.absent(MESH_MISSING, package_of(name), span, shown(name), "not there", hint)
         return None
     return Mesh(path, scale[0])

@@ -54,7 +54,7 @@ class _Includer:
             self._refuse(one.span, f"`{shown(path)}` is included twice, or after {MOST_FILES} others")
             return None
         self._seen.add(path)
-        return read_xml(SourceText(path, text), self._notes)
+        return read_xml(SourceText(self._folder.name_of(path), text), self._notes)
 
     def _refuse(self, span: Span, words: str) -> None:
         self._notes.add(XML_REFUSED, span, words, "cut it down to the robot")

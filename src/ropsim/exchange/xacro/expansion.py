@@ -181,7 +181,7 @@ class _Expansion(Calls):
                 return []
             raise
         self._deeper()
-        root = read_xml(SourceText(path, text), self._notes)
+        root = read_xml(SourceText(self._folder.name_of(path), text), self._notes)
         if root is None:
             raise XacroError(f"the file `{shown(path)}` cannot be read")
         self._beside.append(path.rpartition("/")[0])

@@ -12,7 +12,7 @@ from ropsim.core import Diagnostic, KeptFiles, SourceText, frozen_dataclass
 from ropsim.lsp.analysis.recorded_runs import RecordedRuns
 from ropsim.lsp.protocol.attention import Attention
 from ropsim.lsp.protocol.document import Document
-from ropsim.model import Cell, Station
+from ropsim.model import Cell, RobotSource, Station
 from ropsim.userfiles import UNREADABLE, read_project_text
 from ropsim.workbench import (
     NO_TASKS,
@@ -53,7 +53,7 @@ class Surroundings:
     Attributes:
         folder: of the project, None outside of one.
         cell_text: text of the cell file, open or on the disk.
-        robots: the robot files that it names, open or on the disk, by their paths.
+        robots: the robot files that it names, open or on the disk.
         cell: the cell, None outside of a project and where the file is wrong.
         stations: that run the program, by name.
         environment: names for the compiler at the first of them.
@@ -63,7 +63,7 @@ class Surroundings:
 
     folder: Path | None = None
     cell_text: SourceText | None = None
-    robots: Mapping[str, RobotFile] = field(default_factory=dict)
+    robots: Mapping[RobotSource, RobotFile] = field(default_factory=dict)
     cell: Cell | None = None
     stations: Mapping[str, AtStation] = field(default_factory=lambda: NO_STATION)
     environment: language.Environment = language.NO_SIGNATURES
@@ -261,7 +261,7 @@ class Workshop:
         self,
         folder: Path,
         text: SourceText | None,
-        robots: Mapping[str, RobotFile],
+        robots: Mapping[RobotSource, RobotFile],
         program: str,
         tasks: TaskTexts,
     ) -> Surroundings:
@@ -282,7 +282,7 @@ class Workshop:
         self,
         folder: Path,
         text: SourceText,
-        robots: Mapping[str, RobotFile],
+        robots: Mapping[RobotSource, RobotFile],
         cell: Cell,
         program: str,
         tasks: TaskTexts,

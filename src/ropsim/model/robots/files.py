@@ -1,7 +1,39 @@
 """Results of readers and writers of robot files."""
 
+from pathlib import Path
+
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.model.robots.robot import RobotModel
+
+
+@frozen_dataclass
+class RobotSource:
+    """A robot file, and what is requested of it.
+
+    Attributes:
+        path: of the file.
+        tip: name of the link that carries the tool; empty for the one that is recognised.
+        packages: folders of packages by name, for files that name others.
+        arguments: of a xacro file, by name.
+    """
+
+    path: str
+    tip: str = ""
+    packages: tuple[tuple[str, str], ...] = ()
+    arguments: tuple[tuple[str, str], ...] = ()
+
+
+@frozen_dataclass
+class Tip:
+    """The link of a robot file that carries the tool.
+
+    Attributes:
+        name: of the link or frame.
+        reason: why it was chosen, a clause such as `its name is usual`.
+    """
+
+    name: str
+    reason: str
 
 
 @frozen_dataclass
@@ -12,10 +44,14 @@ class ReadRobot:
         robot: the model; nothing where an error forbids one.
         findings: findings in the order of the file: errors, doubtful numbers, and data of the file that the
             model cannot hold (losses, with a separate code).
+        tip: link that carries the tool; None where the format names the interface, or no robot was read.
+        files: further files and folders that reading depends on, present or missing.
     """
 
     robot: RobotModel | None
     findings: tuple[Diagnostic, ...]
+    tip: Tip | None = None
+    files: tuple[Path, ...] = ()
 
 
 @frozen_dataclass

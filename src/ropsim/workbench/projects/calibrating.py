@@ -16,7 +16,7 @@ from ropsim.cellfile import Limits, limits_section, read_cell, with_limits, writ
 from ropsim.core import Diagnostic, SourceText, read_bytes
 from ropsim.flow import Fidelity
 from ropsim.icr import Program
-from ropsim.model import Cell, ReadRobot, Station
+from ropsim.model import Cell, ReadRobot, RobotSource, Station
 from ropsim.planning import MotionSequence
 from ropsim.simulation import RunOptions, run
 from ropsim.userfiles import UNREADABLE, missing_file
@@ -36,7 +36,7 @@ def calibrate_project(
     codes: Mapping[str, Program],
     station: Station,
     cell_text: SourceText,
-    robots: Mapping[str, ReadRobot],
+    robots: Mapping[RobotSource, ReadRobot],
     trace: str | Path,
     planning: Callable[[], None],
 ) -> tuple[CalibratedProject | None, tuple[Diagnostic, ...]]:
@@ -91,7 +91,7 @@ def changed_limits(before: MotionSettings, after: MotionSettings) -> Limits:
 
 
 def _with_cell(
-    calibration: Calibration, text: SourceText, robots: Mapping[str, ReadRobot], station: Station
+    calibration: Calibration, text: SourceText, robots: Mapping[RobotSource, ReadRobot], station: Station
 ) -> CalibratedProject:
     limits = changed_limits(calibration.before, calibration.after)
     axes = tuple(joint.measure for joint in station.robot.axis_joints)

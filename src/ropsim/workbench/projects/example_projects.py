@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from ropsim.core import did_you_mean, retried, there_are
+from ropsim.model import RobotSource
 from ropsim.userfiles import STARTER, example_names, examples_folder
 from ropsim.workbench.project_diagnostics import NO_EXAMPLE, PLACE_TAKEN
 from ropsim.workbench.projects.project import ProjectError
@@ -34,14 +35,15 @@ def new_project(place: str | Path, example: str = STARTER) -> Path:
     return _made(place, fill)
 
 
-def new_robot_project(place: str | Path, robot: str) -> Path:
+def new_robot_project(place: str | Path, robot: str | RobotSource) -> Path:
     """Make a project folder for a robot and return it; all files appear at once or none does.
 
     Its program moves the robot along a way that it can go. The project has the name of its folder.
 
     Args:
         place: of the folder.
-        robot: name of a built-in robot, or the path of a robot file, which is copied into the project.
+        robot: name of a built-in robot, or the path of a robot file, which is copied into the project; a
+            `RobotSource` adds tip, packages and arguments.
 
     Raises:
         UnknownRobotError: X860, no built-in robot has this name.
@@ -50,7 +52,8 @@ def new_robot_project(place: str | Path, robot: str) -> Path:
     """
     from ropsim.workbench.projects.robot_project import fill_robot_project
 
-    return _made(place, lambda folder, name: fill_robot_project(folder, name, robot))
+    source = robot if isinstance(robot, RobotSource) else RobotSource(robot)
+    return _made(place, lambda folder, name: fill_robot_project(folder, name, source))
 
 
 def _made(place: str | Path, fill: Callable[[Path, str], None]) -> Path:

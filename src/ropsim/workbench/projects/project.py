@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ropsim import icr
 from ropsim.cellfile import program_in_cell_file
 from ropsim.core import Diagnostic, RopsimError, SourceText, did_you_mean, frozen_dataclass, plural
-from ropsim.model import ROBOT, Cell, ReadRobot, Station
+from ropsim.model import ROBOT, Cell, ReadRobot, RobotSource, Station
 from ropsim.workbench.compiling.compiled_project import CompiledProgram, CompiledProject, found_in
 from ropsim.workbench.project_diagnostics import MOVES_SKIPPED, NO_CELL, NO_PROGRAM
 from ropsim.workbench.robots.robot_files import RobotFile, robots_read
@@ -64,7 +64,7 @@ class Project:
         sources: texts of the programs by name.
         cell_text: text of `cell.toml`, None where absent.
         diagnostics: findings of reading.
-        robot_files: files of robots that the cell names, with the robots read from them, by their paths.
+        robot_files: files of robots that the cell names, with the robots read from them.
         tasks: texts of the tasks that its programs can call besides their own.
         workspace: that has read it, and keeps results for its texts; not part of the content of the project.
     """
@@ -74,7 +74,7 @@ class Project:
     sources: Mapping[str, SourceText]
     cell_text: SourceText | None = None
     diagnostics: tuple[Diagnostic, ...] = field(default=())
-    robot_files: Mapping[str, RobotFile] = field(default_factory=dict)
+    robot_files: Mapping[RobotSource, RobotFile] = field(default_factory=dict)
     tasks: TaskTexts = NO_TASKS
     workspace: Workspace = field(default_factory=Workspace, repr=False, compare=False)
 
@@ -101,12 +101,12 @@ class Project:
     @property
     def toml_texts(self) -> tuple[SourceText, ...]:
         """Return the texts that may name meshes: that of the cell, then the TOML files of its robots."""
-        robots = (one.text for path, one in self.robot_files.items() if path.endswith(".toml"))
+        robots = (one.text for source, one in self.robot_files.items() if source.path.endswith(".toml"))
         return tuple(text for text in (self.cell_text, *robots) if text is not None)
 
     @property
-    def robots(self) -> Mapping[str, ReadRobot]:
-        """Return the robots read from files, by their paths."""
+    def robots(self) -> Mapping[RobotSource, ReadRobot]:
+        """Return the robots read from files."""
         return robots_read(self.robot_files)
 
     def compile(self) -> CompiledProject:

@@ -2,35 +2,42 @@
 
 from pathlib import Path
 
-from ropsim.cellfile import POINTER, new_cell, written_coordinates
+from ropsim.cellfile import POINTER, is_foreign_file, new_cell, written_coordinates
 from ropsim.core import read_bytes
 from ropsim.flow import Fidelity
-from ropsim.model import Mesh, RobotModel, Shape
+from ropsim.model import Mesh, RobotModel, RobotSource, Shape
 from ropsim.robots import swings
 from ropsim.simulation import RunOptions
 from ropsim.workbench.projects.first_way import FirstWay, first_way, turning
 from ropsim.workbench.projects.opening import open_project
-from ropsim.workbench.robots.named_robot import find_robot, load_robot
+from ropsim.workbench.robots.carried_meshes import carried, plain_name
+from ropsim.workbench.robots.named_robot import NamedRobot, RobotFileError, find_robot, written_robot
 
 _HEAD = "program {name}\nunits mm, deg, s\n\n"
 _CAREFUL = "# The arm swings: faster, its joints would go beyond their limits.\nset speed 70 %\n\n"
 
 
-def fill_robot_project(folder: Path, name: str, robot: str) -> None:
+def fill_robot_project(folder: Path, name: str, source: RobotSource) -> None:
     """Write a project into a folder that is not there yet.
 
     Args:
         folder: of the project.
         name: of its cell and its program.
-        robot: name of a built-in robot, or the path of a robot file, which is copied with its meshes.
+        source: path of a robot file, or the name of a built-in robot. A file of our own formats is copied
+            with its meshes; a robot in another format becomes a NIROX file, as by `ropsim robot import`.
 
     Raises:
         UnknownRobotError: X860, no built-in robot has this name.
         RobotFileError: the file cannot be read, or an error in it forbids a robot.
         OSError: a file cannot be written.
     """
-    model = load_robot(robot)
-    named = _copied(folder, Path(robot), model) if find_robot(robot).text else robot
+    found = find_robot(source)
+    if found.robot is None:
+        raise RobotFileError(next(one for one in found.findings if one.is_error))
+    model, named = found.robot, source.path
+    if found.text:
+        take = _imported if is_foreign_file(source.path) else _copied
+        named = take(folder, Path(source.path), found, model)
     (folder / "programs").mkdir(parents=True)
     for way in (first_way(model, POINTER), turning(model)):
         cell = new_cell(name, named, way.corners)
@@ -41,11 +48,19 @@ def fill_robot_project(folder: Path, name: str, robot: str) -> None:
             return
 
 
-def _copied(folder: Path, file: Path, model: RobotModel) -> str:
+def _imported(folder: Path, file: Path, found: NamedRobot, model: RobotModel) -> str:
+    """Write a robot of another format as NIROX, with its meshes; return its path in the project."""
+    inside = f"robots/{plain_name(file)}.stp"
+    moved = carried(model, found.mesh_root, folder / inside)
+    _write(folder / inside, written_robot(moved.robot, inside).text.encode("utf-8"))
+    moved.copy(folder)
+    return inside
+
+
+def _copied(folder: Path, file: Path, found: NamedRobot, model: RobotModel) -> str:
     """Copy a robot file and the meshes that are there into a project; return its path in the project."""
     inside = f"robots/{file.name}"
-    home = file.resolve().parent
-    root = home.parent if home.name == "robots" else home
+    root = found.mesh_root
     for mesh in sorted({solid.file for solid in map(_solid, _shapes(model)) if isinstance(solid, Mesh)}):
         source = (root / mesh).resolve()
         if source.is_relative_to(root) and source.is_file():

@@ -1,14 +1,20 @@
 """Robots by name: a built-in one, or the path of a robot file."""
 
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 from ropsim import robots
-from ropsim.cellfile import is_robot_file
+from ropsim.cellfile import is_foreign_file, is_robot_file
 from ropsim.core import Diagnostic, RopsimError, SourceText, frozen_dataclass
-from ropsim.model import PlaceOf, ReadRobot, RobotModel, WrittenRobot, nowhere
+from ropsim.model import PlaceOf, ReadRobot, RobotModel, RobotSource, WrittenRobot, nowhere
 from ropsim.userfiles import read_text_file
+from ropsim.workbench.robots.carried_meshes import project_of_robot
+from ropsim.workbench.robots.read_request import ReadRequest, unused_request
 from ropsim.workbench.robots.robot_files import no_step_file, read_robot, unknown_format, unwritten_format
 from ropsim.workbench.robots.robot_formats import ROBOT_FORMATS, STEP_ENDINGS, STEP_WRITERS, WRITERS, StepForm
+
+NOTHING: Mapping[str, str] = MappingProxyType({})
 
 
 class RobotFileError(RopsimError):
@@ -32,6 +38,14 @@ class NamedRobot:
     read: ReadRobot | None = None
 
     @property
+    def mesh_root(self) -> Path:
+        """Return the folder from which the paths of its meshes count."""
+        file = Path(self.text.name if self.text else ".")
+        if is_foreign_file(file.name):
+            return Path(file.absolute().anchor)
+        return project_of_robot(file)
+
+    @property
     def place_of(self) -> PlaceOf:
         """Return where the numbers of the robot stand in its file."""
         if self.text is None:
@@ -40,39 +54,53 @@ class NamedRobot:
         return (format_.places(self.text) if format_ else None) or nowhere
 
 
-def find_robot(name: str | Path) -> NamedRobot:
+def find_robot(name: str | Path | RobotSource) -> NamedRobot:
     """Return a robot, or the errors in its file.
 
     Args:
-        name: of a built-in robot, or the path of a file, which has a dot or a slash.
+        name: of a built-in robot, or the path of a file, which has a dot or a slash; a `RobotSource` adds
+            tip, packages and arguments.
 
     Raises:
         UnknownRobotError: X860, no built-in robot has this name.
         RobotFileError: the file does not exist, cannot be read, or has an unknown ending.
     """
-    if not is_robot_file(str(name)):
-        return NamedRobot(robots.load(str(name)))
-    path = Path(name)
+    source = name if isinstance(name, RobotSource) else RobotSource(str(name))
+    request = ReadRequest(source)
+    if not is_robot_file(source.path):
+        if request.words:
+            raise RobotFileError(unused_request(source.path, request.words))
+        return NamedRobot(robots.load(source.path))
+    path = Path(source.path)
     if path.suffix.lower() not in ROBOT_FORMATS:
-        raise RobotFileError(unknown_format(str(name), path))
-    text, findings = read_text_file(path, str(name))
+        raise RobotFileError(unknown_format(source.path, path))
+    text, findings = read_text_file(path, source.path)
     if text is None:
         raise RobotFileError(findings[0])
-    read = read_robot(text)
+    read = read_robot(text, request)
     return NamedRobot(read.robot, read.findings, text, read)
 
 
-def load_robot(name: str | Path) -> RobotModel:
+def load_robot(
+    name: str | Path,
+    *,
+    tip: str = "",
+    packages: Mapping[str, str] = NOTHING,
+    arguments: Mapping[str, str] = NOTHING,
+) -> RobotModel:
     """Return a robot by its name, or the path of its file.
 
     Args:
         name: of a built-in robot, or the path of a file, which has a dot or a slash.
+        tip: name of the link that carries the tool, for URDF, xacro and MJCF; empty for the recognised one.
+        packages: folders of packages by name that are not found around the file.
+        arguments: of a xacro file, by name.
 
     Raises:
         UnknownRobotError: X860, no built-in robot has this name.
         RobotFileError: the file cannot be read, or an error in it forbids a robot.
     """
-    found = find_robot(name)
+    found = find_robot(RobotSource(str(name), tip, tuple(packages.items()), tuple(arguments.items())))
     if found.robot is None:
         raise RobotFileError(next(one for one in found.findings if one.is_error))
     return found.robot

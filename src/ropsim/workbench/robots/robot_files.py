@@ -1,7 +1,6 @@
 """The files of robots that a project names: read from inside of its folder, by the format of their ending."""
 
 from collections.abc import Callable, Iterable, Mapping
-from functools import lru_cache
 from pathlib import Path, PurePosixPath
 from typing import TypeAlias
 
@@ -14,9 +13,11 @@ from ropsim.core import (
     outside_project,
     stated_inside,
 )
-from ropsim.model import ReadRobot
+from ropsim.model import ReadRobot, RobotSource
 from ropsim.userfiles import UNREADABLE
 from ropsim.workbench.project_diagnostics import UNKNOWN_ROBOT_FORMAT
+from ropsim.workbench.robots.kept_readings import KeptReadings
+from ropsim.workbench.robots.read_request import TEXT_ALONE, ReadRequest
 from ropsim.workbench.robots.robot_formats import ROBOT_FORMATS, STEP_ENDINGS, WRITERS, StepForm
 
 Reading: TypeAlias = tuple[SourceText | None, tuple[Diagnostic, ...]]
@@ -39,27 +40,38 @@ class RobotFile:
     read: ReadRobot
 
 
-def read_robot_files(folder: Path, paths: Iterable[str], text_of: TextOf) -> Mapping[str, RobotFile]:
-    """Return the robot files of a project by their paths; errors are findings.
+def read_robot_files(
+    folder: Path, sources: Iterable[RobotSource], text_of: TextOf
+) -> Mapping[RobotSource, RobotFile]:
+    """Return the robot files of a project; errors are findings.
 
     Args:
         folder: of the project.
-        paths: paths inside the folder, as in its cell file.
+        sources: files inside the folder, as in its cell file.
         text_of: reads one of them.
     """
-    return {path: _read(folder, path, text_of) for path in paths}
+    return {source: _read(folder, source, text_of) for source in sources}
 
 
-def robots_read(files: Mapping[str, RobotFile]) -> Mapping[str, ReadRobot]:
-    """Return the robots read from files, by their paths."""
-    return {path: one.read for path, one in files.items()}
+def robots_read(files: Mapping[RobotSource, RobotFile]) -> Mapping[RobotSource, ReadRobot]:
+    """Return the robots read from files."""
+    return {source: one.read for source, one in files.items()}
 
 
-@lru_cache(maxsize=16)
-def read_robot(text: SourceText) -> ReadRobot:
-    """Return the robot that a text describes, in the format of the ending of its name."""
+def read_robot(text: SourceText, request: ReadRequest = TEXT_ALONE) -> ReadRobot:
+    """Return the robot that a text describes, in the format of the ending of its name.
+
+    Args:
+        text: of the file.
+        request: tip, arguments, and where files around it are.
+    """
     format_ = ROBOT_FORMATS.get(PurePosixPath(text.name).suffix.lower())
-    return format_.read(text) if format_ else ReadRobot(None, (unknown_format(text.name),))
+    if format_ is None:
+        return ReadRobot(None, (unknown_format(text.name),))
+    return _READINGS.of(text, request, format_.read)
+
+
+_READINGS = KeptReadings()
 
 
 def unknown_format(name: str, place: Path | None = None) -> Diagnostic:
@@ -93,12 +105,14 @@ def _listed(endings: Iterable[str]) -> str:
     return ", ".join(f"`{ending}`" for ending in endings)
 
 
-def _read(folder: Path, path: str, text_of: TextOf) -> RobotFile:
-    refused = _refusal(folder, path)
+def _read(folder: Path, source: RobotSource, text_of: TextOf) -> RobotFile:
+    refused = _refusal(folder, source.path)
     if refused is not None:
         return RobotFile(None, ReadRobot(None, (refused,)))
-    text, findings = text_of(path)
-    return RobotFile(text, ReadRobot(None, findings) if text is None else read_robot(text))
+    text, findings = text_of(source.path)
+    if text is None:
+        return RobotFile(None, ReadRobot(None, findings))
+    return RobotFile(text, read_robot(text, ReadRequest(source, folder)))
 
 
 def _refusal(folder: Path, path: str) -> Diagnostic | None:

@@ -9,6 +9,7 @@ from typing import Any
 
 from ropsim.core import SourceText, frozen_dataclass
 from ropsim.model import PlaceOf, ReadRobot, RobotModel, WrittenRobot
+from ropsim.workbench.robots.read_request import ReadRequest, unused_request
 
 
 class StepForm(StrEnum):
@@ -40,10 +41,13 @@ class RobotFormat:
     writer: str = ""
     finder: str = ""
 
-    def read(self, source: SourceText) -> ReadRobot:
-        """Return the robot of a text."""
+    def read(self, source: SourceText, request: ReadRequest) -> ReadRobot:
+        """Return the robot of a text; a finding where a request has no meaning for the format."""
         found: ReadRobot = self._function(self.reader)(source)
-        return found
+        unused = request.words
+        return (
+            replace(found, robot=None, findings=(unused_request(source.name, unused),)) if unused else found
+        )
 
     def write(self, robot: RobotModel) -> WrittenRobot:
         """Return the text of a robot."""
@@ -76,14 +80,23 @@ class RobotFormat:
         return found
 
 
+class ForeignFormat(RobotFormat):
+    """A format of others: a link of the file carries the tool, and the file may need files around it."""
+
+    def read(self, source: SourceText, request: ReadRequest) -> ReadRobot:
+        """Return the robot of a text, with the files around it."""
+        found: ReadRobot = self._function(self.reader)(source, request.options)
+        return found
+
+
 _EXCHANGE = "ropsim.exchange"
 _NIROX = RobotFormat("ropsim.nirox", "read_nirox", "write_nirox", "nirox_places")
 _AP242 = RobotFormat(_EXCHANGE, writer="write_ap242")
 _FORMATS = {
     ".toml": RobotFormat("ropsim.robotfile", "read_robot_file", "write_robot_file", "robot_file_places"),
-    ".urdf": RobotFormat(_EXCHANGE, "read_urdf", "write_urdf"),
-    ".xacro": RobotFormat(_EXCHANGE, "read_urdf"),
-    ".xml": RobotFormat(_EXCHANGE, "read_mjcf", "write_mjcf"),
+    ".urdf": ForeignFormat(_EXCHANGE, "read_urdf", "write_urdf"),
+    ".xacro": ForeignFormat(_EXCHANGE, "read_urdf"),
+    ".xml": ForeignFormat(_EXCHANGE, "read_mjcf", "write_mjcf"),
     ".stp": _NIROX,
     ".step": _NIROX,
     ".sdf": RobotFormat(_EXCHANGE, writer="write_sdf"),

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from ropsim import icr, language
 from ropsim.cellfile import read_cell
 from ropsim.core import Diagnostic, KeptFiles, SourceText, frozen_dataclass
-from ropsim.model import Cell, ReadRobot, Station
+from ropsim.model import Cell, ReadRobot, RobotSource, Station
 from ropsim.query import Database, always_new
 from ropsim.workbench.compiling.at_station import AtStation, unbound
 from ropsim.workbench.compiling.compiled_project import CheckedText, CompiledProgram
@@ -44,7 +44,7 @@ OWN_TASKS = "own tasks"
 """Input: remembers which tasks texts have; it changes no answer."""
 MENTIONS = "mentions of tasks"
 """Input: remembers of which names texts are made up; it changes no answer."""
-NO_ROBOTS: Mapping[str, ReadRobot] = MappingProxyType({})
+NO_ROBOTS: Mapping[RobotSource, ReadRobot] = MappingProxyType({})
 """A cell file names no files of robots."""
 LEAST_LINES = 100
 """Of a text whose answers are kept; a shorter one is compiled in a moment."""
@@ -84,7 +84,7 @@ def tasks_of(name: str) -> Hashable:
 def cell(db: Database, name: str, folder: str) -> ReadCell:
     """Return the cell that a cell file describes."""
     text: SourceText | None = db.read(text_of(name))
-    robots: Mapping[str, ReadRobot] | None = db.read(robots_of(name))
+    robots: Mapping[RobotSource, ReadRobot] | None = db.read(robots_of(name))
     return ReadCell(*read_cell(text, folder, robots or NO_ROBOTS)) if text is not None else ReadCell(None, ())
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ropsim import icr, language
 from ropsim.core import Category, KeptFiles, SourceText
-from ropsim.model import ROBOT, ReadRobot
+from ropsim.model import ROBOT, ReadRobot, RobotSource
 from ropsim.query import Database, Event
 from ropsim.workbench.compiling.at_station import NOWHERE, AtStation
 from ropsim.workbench.compiling.compiled_project import CheckedText, CompiledProgram, at_stations
@@ -54,14 +54,14 @@ class Workspace:
         self._db.events = []
 
     def cell(
-        self, text: SourceText, folder: str, robots: Mapping[str, ReadRobot] = questions.NO_ROBOTS
+        self, text: SourceText, folder: str, robots: Mapping[RobotSource, ReadRobot] = questions.NO_ROBOTS
     ) -> ReadCell:
         """Return the cell that a cell file describes.
 
         Args:
             text: of the cell file.
             folder: names the cell where the file does not.
-            robots: robots read from the files that it names, by their paths.
+            robots: robots read from the files that it names.
         """
         self._give_cell(text, robots)
         return self._db.ask(questions.cell, text.name, folder)
@@ -71,7 +71,7 @@ class Workspace:
         cell_text: SourceText | None,
         folder: str,
         station: str,
-        robots: Mapping[str, ReadRobot] = questions.NO_ROBOTS,
+        robots: Mapping[RobotSource, ReadRobot] = questions.NO_ROBOTS,
         tasks: TaskTexts = NO_TASKS,
     ) -> AtStation:
         """Return a station of a cell, for queries on programs there; without a cell there is only one.
@@ -80,7 +80,7 @@ class Workspace:
             cell_text: of the cell file.
             folder: names the cell where the file does not.
             station: name; empty for the first one.
-            robots: robots read from the files that the cell file names, by their paths.
+            robots: robots read from the files that the cell file names.
             tasks: texts of the tasks that programs can call.
         """
         if cell_text is None:
@@ -174,7 +174,7 @@ class Workspace:
         if not text.name.endswith(".icr"):
             self._asked |= {(question, text.name, at) for question in asked}
 
-    def _give_cell(self, text: SourceText, robots: Mapping[str, ReadRobot]) -> None:
+    def _give_cell(self, text: SourceText, robots: Mapping[RobotSource, ReadRobot]) -> None:
         self._give(text)
         self._db.give({questions.robots_of(text.name): robots})
 
