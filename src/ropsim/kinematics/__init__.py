@@ -40,6 +40,7 @@ from ropsim.kinematics.diagnostics import NotFiniteError as NotFiniteError
 from ropsim.kinematics.inverse import NEIGHBOUR as NEIGHBOUR
 from ropsim.kinematics.inverse import branch as branch
 from ropsim.kinematics.inverse import branches_near as branches_near
+from ropsim.kinematics.inverse import free_intervals as free_intervals
 from ropsim.kinematics.inverse import inverse as inverse
 from ropsim.kinematics.inverse import inverse_batch as inverse_batch
 from ropsim.kinematics.inverse import posture as posture
@@ -56,6 +57,7 @@ from ropsim.kinematics.solutions.configurations import configurations as configu
 from ropsim.kinematics.solutions.limits import limit_violations as limit_violations
 from ropsim.kinematics.solutions.limits import turned_to_limits as turned_to_limits
 from ropsim.kinematics.solutions.result import Free as Free
+from ropsim.kinematics.solutions.result import FreeInterval as FreeInterval
 from ropsim.kinematics.solutions.result import IkOptions as IkOptions
 from ropsim.kinematics.solutions.result import IkResult as IkResult
 from ropsim.kinematics.solutions.result import IkStatus as IkStatus

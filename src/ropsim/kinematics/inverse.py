@@ -12,9 +12,17 @@ from ropsim.kinematics.diagnostics import NotFiniteError
 from ropsim.kinematics.recognition import redundant_solver_of, solver_of
 from ropsim.kinematics.solutions.held import in_arm_base, of_robot, result_of_robot
 from ropsim.kinematics.solutions.limits import limit_violations
-from ropsim.kinematics.solutions.polish import polished
-from ropsim.kinematics.solutions.redundancy import nearest_answer
-from ropsim.kinematics.solutions.result import Free, IkOptions, IkResult, IkStatus, Limits, Posture
+from ropsim.kinematics.solutions.polish import polished, unbounded
+from ropsim.kinematics.solutions.redundancy import intervals_of, nearest_answer, reachable
+from ropsim.kinematics.solutions.result import (
+    Free,
+    FreeInterval,
+    IkOptions,
+    IkResult,
+    IkStatus,
+    Limits,
+    Posture,
+)
 from ropsim.kinematics.solutions.selection_kernel import HEAD, SAME
 from ropsim.kinematics.solutions.sheet import Sheet, sheet
 from ropsim.kinematics.solutions.solver import InverseSolver, RedundantSolver
@@ -35,6 +43,7 @@ class _Desk:
         redundant: the same, where a pose leaves something free that it holds.
         names: of the branches, in the order of the rows.
         limits: lower and upper limits [rad | m] and 1.0 for joints that turn, shape (3, n).
+        unlimited: the same without limits.
         rest: zeros, shape (n,).
         coupled: limits of joints that are no axes.
         sheets: sheets that are not in use: each thread takes its own.
@@ -45,6 +54,7 @@ class _Desk:
     redundant: RedundantSolver | None
     names: tuple[Posture, ...]
     limits: Array
+    unlimited: Array
     rest: Array
     coupled: CoupledLimits
     sheets: list[Sheet]
@@ -146,6 +156,42 @@ def branches_near(robot: RobotModel, pose: Pose, near: Array) -> Array | None:
     return None if np.isnan(branches[:, 0]).all() else branches
 
 
+def free_intervals(
+    robot: RobotModel, pose: Pose, near: npt.ArrayLike | None = None
+) -> tuple[FreeInterval, ...]:
+    """Return where the free coordinate of a redundant arm may be at a pose, within the joint limits.
+
+    The ends are where a joint meets a limit or where the free coordinate turns back at the border of reach.
+    `inverse` with `IkOptions.free` gives the answers at a value. External axes keep their values of `near`.
+
+    Args:
+        robot: arm with n joints.
+        pose: X_BM.
+        near: joint coordinates [rad | m] of which the external ones count, shape (n,); None for the home
+            position.
+
+    Returns:
+        The intervals in order, none where the pose has no answer within the limits or the arm has no free
+        coordinate (`redundant_solver_of`).
+
+    Raises:
+        ArrayShapeError: M551, `near` has another shape than (n,).
+        NotFiniteError: M552, the pose or `near` holds NaN or infinity.
+    """
+    if robot.external:
+        whole, q = held_arm(robot), _external(robot, near)
+        X = in_arm_base(robot, whole, q, pose.matrix()[np.newaxis])[0]
+        return free_intervals(whole.arm, Pose.from_matrix(X))
+    T, desk = pose.matrix(), _desk(robot)
+    if near is not None:
+        joint_vector(robot, near)
+    if not np.isfinite(T).all():
+        raise NotFiniteError("pose")
+    if desk.redundant is None:
+        return ()
+    return intervals_of(reachable(desk.redundant, chain_arrays(robot), T, desk.limits))
+
+
 def posture(robot: RobotModel, q: npt.ArrayLike) -> Posture:
     """Return the posture of a configuration, in the words of the arm's class.
 
@@ -186,7 +232,7 @@ def _with_free_coordinate(
     beside = None if near is desk.rest or options.free is not None else _next_to(robot, desk, T, near)
     free = solver.free(near if beside is None else beside)
     if options.free is not None:
-        free = Free(free.name, options.free)
+        free = Free(free.name, float(options.free))
     branches = solver.branches_at(T[np.newaxis], near, np.array([free.value]))[0]
     if beside is not None:
         _put(desk, beside, branches)
@@ -196,9 +242,10 @@ def _with_free_coordinate(
         one.branches[:] = rows
         return _answer(robot, desk, T, one, options.limits)
 
-    first = replace(answer(branches), free=free)
-    found = first.status is IkStatus.FOUND or options.free is not None
-    last = first if found else nearest_answer(solver, T, near, first, answer)
+    last = replace(answer(branches), free=free)
+    if last.status is not IkStatus.FOUND and options.free is None:
+        limits = desk.limits if options.limits is Limits.RESPECT else desk.unlimited
+        last = nearest_answer(solver, chain_arrays(robot), (T, near, limits), last, answer)
     desk.sheets.append(one)
     return last
 
@@ -323,6 +370,7 @@ def _put(desk: _Desk, q: Array, branches: Array) -> None:
 def _desk(robot: RobotModel) -> _Desk:
     solver = solver_of(robot)
     limits = frozen(np.stack((robot.lower_limits, robot.upper_limits, turning_axes(robot))))
+    unlimited = frozen(np.stack((*unbounded(robot.n), limits[2])))
     rest = frozen(np.zeros(robot.n))
     redundant, coupled = redundant_solver_of(robot), coupled_limits(robot)
-    return _Desk(solver, redundant, solver.postures, limits, rest, coupled, [], {})
+    return _Desk(solver, redundant, solver.postures, limits, unlimited, rest, coupled, [], {})

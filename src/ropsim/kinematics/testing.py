@@ -7,8 +7,10 @@ from ropsim.kinematics.solutions import polish_kernel as polish_kernel
 from ropsim.kinematics.solutions.polish import POSE_SLACK as POSE_SLACK
 from ropsim.kinematics.solutions.polish import checked as checked
 from ropsim.kinematics.solutions.polish import continued as continued
+from ropsim.kinematics.solutions.polish import held_at as held_at
 from ropsim.kinematics.solutions.polish import nearest_to as nearest_to
 from ropsim.kinematics.solutions.polish import polished as polished
+from ropsim.kinematics.solutions.polish import polished_within as polished_within
 from ropsim.kinematics.solutions.polish import refine as refine
 from ropsim.kinematics.solutions.polish import shape_of as shape_of
 from ropsim.kinematics.solutions.result import NO_AXIS as NO_AXIS
@@ -17,6 +19,8 @@ from ropsim.kinematics.solutions.selection_kernel import LIMIT_SLACK as LIMIT_SL
 from ropsim.kinematics.solutions.selection_kernel import SAME as SAME
 from ropsim.kinematics.solutions.selection_kernel import found_size as found_size
 from ropsim.kinematics.solutions.selection_kernel import select as select
+from ropsim.kinematics.solutions.self_motion import arcs_of as arcs_of
+from ropsim.kinematics.solutions.self_motion import narrow_limits as narrow_limits
 from ropsim.kinematics.solvers.axes import COUPLED as COUPLED
 from ropsim.kinematics.solvers.coupled import plain_arm as plain_arm
 from ropsim.kinematics.solvers.eight_rows import EightRows as EightRows

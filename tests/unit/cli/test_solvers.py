@@ -3,6 +3,7 @@
 import json
 import math
 
+import numpy as np
 import pytest
 
 from ropsim import robots
@@ -98,10 +99,14 @@ def test_what_a_pose_leaves_free_of_a_redundant_arm_is_told_with_its_value(
     main([*["robot", "ik", "sia20", "400", "100", "600", "180", "0", "0", "--json"]])
     free = json.loads(capsys.readouterr().out)["free"]
     assert free["name"] == "swivel angle"
-    assert -math.pi < free["value"] < 0.0  # at 0 joints would be beyond their limits
+    assert -math.pi < free["value"] < 0.0  # that of all joints at 0 is beyond the limits
     assert (
         f"with swivel angle {round(math.degrees(free['value']), 1):g}°, which the pose leaves free" in found
     )
+    ends = np.degrees(free["intervals"])
+    assert math.degrees(free["value"]) == pytest.approx(ends[0, 0])
+    ranges = [f"{round(low, 1):g}° to {round(high, 1):g}°" for low, high in ends.tolist()]
+    assert "inside the limits from " + ", ".join(ranges) in found
 
 
 def test_sliding_joints_are_in_millimetres(capsys: pytest.CaptureFixture[str]) -> None:

@@ -12,7 +12,16 @@ from ropsim.cli.terminal.named_robot import named_robot
 from ropsim.cli.terminal.output import Output
 from ropsim.cli.terminal.solver_words import free_line, remarks, solver_document
 from ropsim.core import frozen_dataclass
-from ropsim.kinematics import IkOptions, IkResult, Limits, LimitViolation, Nearest, Posture
+from ropsim.kinematics import (
+    Free,
+    FreeInterval,
+    IkOptions,
+    IkResult,
+    Limits,
+    LimitViolation,
+    Nearest,
+    Posture,
+)
 from ropsim.model import JointType, RobotModel
 from ropsim.spatial import Array, Pose, quaternion
 
@@ -51,8 +60,9 @@ def ik(options: argparse.Namespace, output: Output) -> int:
     beside = kinematics.nearest(robot, pose) if result.shortfall is not None else None
     if beside is not None:
         output.text(_nearest_line(beside))
+    intervals = kinematics.free_intervals(robot, pose)
     if result.free is not None:
-        output.text(free_line(result.free))
+        output.text(free_line(result.free, intervals))
     for line in remarks(robot):
         output.text(line)
     output.document(
@@ -62,7 +72,7 @@ def ik(options: argparse.Namespace, output: Output) -> int:
             "postures": [str(one) for one in result.postures],
             "beyond_limits": [_entry(one) for one in beyond],
             "nearest": beside and _nearest_entry(beside),
-            "free": result.free and {"name": result.free.name, "value": result.free.value},
+            "free": result.free and _free_entry(result.free, intervals),
             "solver": solver_document(robot),
         }
     )
@@ -127,6 +137,14 @@ def _nearest_entry(beside: Nearest) -> dict[str, object]:
         "orientation": beside.pose.orientation.tolist(),
         "distance": beside.distance,
         "angle": beside.angle,
+    }
+
+
+def _free_entry(free: Free, intervals: Sequence[FreeInterval]) -> dict[str, object]:
+    return {
+        "name": free.name,
+        "value": free.value,
+        "intervals": [[one.lower, one.upper] for one in intervals],
     }
 
 

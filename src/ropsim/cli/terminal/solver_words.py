@@ -1,10 +1,13 @@
 """Words of the command line on the inverse kinematics of an arm."""
 
 import math
+from collections.abc import Sequence
 
 from ropsim.cli.terminal.coordinates import shown
-from ropsim.kinematics import Free, Method, Snap, classes_missed, solver_of
+from ropsim.kinematics import Free, FreeInterval, Method, Snap, classes_missed, solver_of
 from ropsim.model import RobotModel
+
+_TURN = 2.0 * math.pi - 1e-9
 
 
 def solver_lines(robot: RobotModel) -> list[str]:
@@ -22,9 +25,19 @@ def solver_lines(robot: RobotModel) -> list[str]:
     return [line, *remarks(robot)]
 
 
-def free_line(free: Free) -> str:
-    """Return the words on the freedom that a pose leaves, and its held value."""
-    return f"with {free.name} {shown(math.degrees(free.value), 1):g}°, which the pose leaves free"
+def free_line(free: Free, intervals: Sequence[FreeInterval]) -> str:
+    """Return the words on the freedom that a pose leaves, its held value, and where limits let it be."""
+    line = f"with {free.name} {_degrees(free.value)}, which the pose leaves free"
+    if not intervals:
+        return line
+    if intervals[0].upper - intervals[0].lower >= _TURN:
+        return f"{line}; any value has solutions inside the limits"
+    ranges = [f"{_degrees(one.lower)} to {_degrees(one.upper)}" for one in intervals]
+    return f"{line}; solutions inside the limits from {', '.join(ranges)}"
+
+
+def _degrees(angle: float) -> str:
+    return f"{shown(math.degrees(angle), 1):g}°"
 
 
 def remarks(robot: RobotModel) -> list[str]:

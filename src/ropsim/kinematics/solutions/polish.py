@@ -22,11 +22,13 @@ LEFT = 1e-15
 """The last step times the snap of the arm is at most this [rad², rad·m]: it is taken for one of its class."""
 STEPS = 60
 """Largest number of steps from a start to an answer."""
+PRINCIPAL, CONTINUED, OWN_TURNS = 0.0, 1.0, 2.0
+"""How answers follow their starts, see `polish_rows`."""
 
 
 def checked(chain: ChainArrays, T: Array, Q: Array, slack: float = POSE_SLACK) -> Array:
     """Return Q with NaN in the rows that do not reach their pose; arguments as in `polished`."""
-    return _run(chain, T, Q, (0.0, slack, 0.0))
+    return _run(chain, T, Q, (0.0, slack, PRINCIPAL))
 
 
 def polished(chain: ChainArrays, T: Array, Q: Array, slack: float = POSE_SLACK) -> Array:
@@ -41,7 +43,49 @@ def polished(chain: ChainArrays, T: Array, Q: Array, slack: float = POSE_SLACK) 
     Returns:
         Joint coordinates [rad | m], revolute ones in (-π, π], shape (k, m, n); NaN where no answer was found.
     """
-    return _run(chain, T, Q, (STEPS, slack, 0.0))
+    return _run(chain, T, Q, (STEPS, slack, PRINCIPAL))
+
+
+def polished_within(
+    chain: ChainArrays, T: Array, Q: Array, bounds: Array, slack: float = POSE_SLACK
+) -> Array:
+    """Return joint coordinates that reach their poses within bounds, near to those given.
+
+    Args:
+        chain: of the arm with n axes.
+        T: poses X_BM, shape (k, 4, 4).
+        Q: starts [rad | m], brought within the bounds first; NaN rows are left alone, shape (k, m, n).
+        bounds: lower and upper bounds of the coordinates; equal ones hold a joint [rad | m], shape (2, n).
+        slack: as in `polished`.
+
+    Returns:
+        Joint coordinates within the bounds [rad | m], shape (k, m, n); NaN where no answer was found.
+    """
+    return _run(chain, T, np.clip(Q, *bounds), (STEPS, slack, OWN_TURNS), bounds)
+
+
+def held_at(chain: ChainArrays, X_BM: Array, starts: Array, joint: int, value: float) -> Array:
+    """Return the answers to one pose, found from starts, in which a joint has a value.
+
+    Args:
+        chain: of the arm with n axes.
+        X_BM: the pose, shape (4, 4).
+        starts: joint coordinates [rad | m], shape (m, n); NaN rows are left out.
+        joint: from 0.
+        value: of its coordinate [rad | m].
+
+    Returns:
+        shape (s, n), without rows for starts from which none was found.
+    """
+    bounds = unbounded(chain.n)
+    bounds[:, joint] = value
+    found = polished_within(chain, X_BM[np.newaxis], starts[np.newaxis], bounds)[0]
+    return np.asarray(found[~np.isnan(found[:, 0])])
+
+
+def nearest_within(chain: ChainArrays, T: Array, Q: Array, bounds: Array) -> Array:
+    """Return where the search of `polished_within` ends, pose reached or not."""
+    return _run(chain, T, np.clip(Q, *bounds), (STEPS, inf, OWN_TURNS), bounds)
 
 
 def refining(chain: ChainArrays, point: list[float], parallel: int, snap: float) -> Compiled:
@@ -88,7 +132,7 @@ def refine(kernel: Compiled, chain: ChainArrays, T: Array, Q: Array) -> npt.NDAr
 
 def nearest_to(chain: ChainArrays, T: Array, Q: Array) -> Array:
     """Return where the search from Q (k, m, n) for poses T (k, 4, 4) ends, pose reached or not."""
-    return _run(chain, T, Q, (STEPS, inf, 0.0))
+    return _run(chain, T, Q, (STEPS, inf, PRINCIPAL))
 
 
 def continued(chain: ChainArrays, T: Array, q: Array, slack: float = POSE_SLACK) -> Array:
@@ -106,14 +150,26 @@ def continued(chain: ChainArrays, T: Array, q: Array, slack: float = POSE_SLACK)
     """
     Q = np.empty((len(T), 1, len(q)))
     Q[:1, 0] = q
-    return _run(chain, T, Q, (STEPS, slack, 1.0))[:, 0]
+    return _run(chain, T, Q, (STEPS, slack, CONTINUED))[:, 0]
 
 
-def _run(chain: ChainArrays, T: Array, Q: Array, settings: tuple[float, float, float]) -> Array:
+def unbounded(n: int) -> Array:
+    """Return bounds that hold no coordinate, shape (2, n)."""
+    return np.array([[-inf] * n, [inf] * n])
+
+
+def _run(
+    chain: ChainArrays,
+    T: Array,
+    Q: Array,
+    settings: tuple[float, float, float],
+    bounds: Array | None = None,
+) -> Array:
     m, n = len(chain.slides), chain.n
     found = np.array(Q)
+    within = unbounded(n) if bounds is None else np.ascontiguousarray(bounds)
     frames, room, lanes = np.empty((m + 1, 12)), np.zeros((n + 10, max(n, 6))), np.empty((7, m))
     polish_kernel.polish_rows(
-        chain.flat, chain.spread, chain.turning, T, found, np.array(settings), frames, room, lanes
+        chain.flat, chain.spread, chain.turning, T, found, within, np.array(settings), frames, room, lanes
     )
     return found

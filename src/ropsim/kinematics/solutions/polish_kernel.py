@@ -4,6 +4,8 @@ The error of a configuration is e = (p_T - p(q), rotation vector of R_T·R(q)ᵀ
 the geometric Jacobian. Each step solves (JᵀJ + λ·1)·Δq = Jᵀe. The damping λ = μ·|e| vanishes with the error,
 so that the steps become Newton's, and keeps joints still that a singular configuration leaves free (Fan &
 Yuan 2005; for robots Sugihara 2011); μ falls after a step that helps and grows after one that does not.
+Joints may have bounds: one that stands at a bound and would leave it is left out of the step, and the
+result of a step is brought back to the bounds (Kanzow, Yamashita & Fukushima 2004).
 """
 
 from math import atan2, ceil, pi, sqrt
@@ -30,6 +32,7 @@ def polish_rows(
     turning: Array1,
     T: Array3,
     Q: Array3,
+    bounds: Array2,
     settings: Array1,
     frames: Array2,
     room: Array2,
@@ -42,9 +45,12 @@ def polish_rows(
         spread: `ChainArrays.spread`.
         turning: `ChainArrays.turning`.
         T: poses.
-        Q: starts, NaN rows are left alone; answers with coordinates that turn in (-π, π] [rad | m].
+        Q: starts within the bounds, NaN rows are left alone; answers with coordinates that turn in (-π, π]
+            [rad | m].
+        bounds: lower and upper bounds of the coordinates, which may be infinite [rad | m], shape (2, n).
         settings: number of steps, 0 to check the rows only; largest sum of the errors of an accepted row
-            [m, entries of the rotation matrix]; 1.0 where row j of pose k starts from row j of pose k - 1.
+            [m, entries of the rotation matrix]; 0.0, or 1.0 where row j of pose k starts from row j of pose
+            k - 1, or 2.0 where coordinates keep the turn of their start.
         frames: room to work in, shape (m + 1, 12).
         room: room to work in, shape (n + 10, max(n, 6)).
         lanes: room to work in, shape (7, m).
@@ -54,13 +60,13 @@ def polish_rows(
     steps, slack = int(settings[0]), settings[1]
     for k in range(Q.shape[0]):
         for j in range(Q.shape[1]):
-            if settings[2] > 0.0 and k > 0:
+            if settings[2] == 1.0 and k > 0:
                 for i in range(n):
                     Q[k, j, i] = Q[k - 1, j, i]
             if Q[k, j, 0] != Q[k, j, 0]:
                 continue
-            _descend(chain, spread, T[k], Q[k, j], steps, frames, room, lanes)
-            found = _entry_errors(frames[last], T[k]) <= slack
+            descend(chain, spread, T[k], Q[k, j], bounds, steps, frames, room, lanes)
+            found = entry_errors(frames[last], T[k]) <= slack
             for i in range(n):
                 if not found:
                     Q[k, j, i] = float("nan")
@@ -68,17 +74,18 @@ def polish_rows(
                     Q[k, j, i] = _principal(Q[k, j, i])
 
 
-def _descend(
+def descend(
     chain: Array,
     spread: Array,
     X: Array,
     q: Array,
+    bounds: Array,
     steps: int,
     frames: Array,
     room: Array,
     lanes: Array,
 ) -> None:
-    """Improve q (n,) in place; frames then belong to it.
+    """Improve q (n,) in place, within the bounds (2, n); frames then belong to it.
 
     Rows of `room`: the columns of J (6 rows), e, Δq, q tried, its error, JᵀJ + λ·1 (n rows). Rows of `lanes`:
     the Jacobian of the steps (6 rows), and their coordinates.
@@ -95,10 +102,10 @@ def _descend(
         axis_columns(chain, spread, frames, room, lanes)
         helped, tried = False, error
         for _ in range(12):
-            longest = _step(room, mu * error)
+            longest = _step(room, q, bounds, mu * error)
             scale = LONGEST_STEP / longest if longest > LONGEST_STEP else 1.0
             for i in range(n):
-                trial[i] = q[i] + scale * room[7, i]
+                trial[i] = min(max(q[i] + scale * room[7, i], bounds[0, i]), bounds[1, i])
             spread_over(spread, trial, lanes[6])
             place_steps(chain, lanes[6], frames)
             tried = _error(frames[last], X, room[9])
@@ -115,7 +122,7 @@ def _descend(
             q[i] = trial[i]
         error = _error(frames[last], X, e)
     if steps > 0 and error <= GOAL:
-        _end(chain, spread, X, q, error, frames, room, lanes, mu * error)
+        _end(chain, spread, X, q, bounds, error, frames, room, lanes, mu * error)
     spread_over(spread, q, lanes[6])
     place_steps(chain, lanes[6], frames)
 
@@ -125,6 +132,7 @@ def _end(
     spread: Array,
     X: Array,
     q: Array,
+    bounds: Array,
     error: float,
     frames: Array,
     room: Array,
@@ -135,10 +143,10 @@ def _end(
     n, last = q.shape[0], frames.shape[0] - 1
     trial = room[8]
     axis_columns(chain, spread, frames, room, lanes)
-    if not _step(room, damping) > FAR:
+    if not _step(room, q, bounds, damping) > FAR:
         return
     for i in range(n):
-        trial[i] = q[i] + room[7, i]
+        trial[i] = min(max(q[i] + room[7, i], bounds[0, i]), bounds[1, i])
     spread_over(spread, trial, lanes[6])
     place_steps(chain, lanes[6], frames)
     if _error(frames[last], X, room[9]) < 0.5 * error:
@@ -172,15 +180,27 @@ def _error(M: Array, X: Array, e: Array) -> float:
     return sqrt(dx * dx + dy * dy + dz * dz + vx * vx + vy * vy + vz * vz)
 
 
-def _step(room: Array, damping: float) -> float:
-    """Solve (JᵀJ + λ·1)·Δq = Jᵀe by Cholesky's factors; return the largest |Δq|."""
+def _step(room: Array, q: Array, bounds: Array, damping: float) -> float:
+    """Solve (JᵀJ + λ·1)·Δq = Jᵀe for coordinates that their bounds do not hold; return the largest |Δq|."""
     n = room.shape[0] - 10
     dq = room[7]
     for i in range(n):
         g = 0.0
         for r in range(6):
             g += room[r, i] * room[6, r]
+        if (g >= 0.0 and q[i] >= bounds[1, i]) or (g <= 0.0 and q[i] <= bounds[0, i]):
+            for r in range(6):  # J is made anew after each step
+                room[r, i] = 0.0
+            g = 0.0
         dq[i] = g
+    return solve_normal(room, damping)
+
+
+def solve_normal(room: Array, damping: float) -> float:
+    """Solve (JᵀJ + λ·1)·x = g by Cholesky's factors, g and then x in row 7; return the largest |x|."""
+    n = room.shape[0] - 10
+    dq = room[7]
+    for i in range(n):
         for j in range(i + 1):
             a = damping if i == j else 0.0
             for r in range(6):
@@ -201,7 +221,7 @@ def _step(room: Array, damping: float) -> float:
     return longest
 
 
-def _entry_errors(M: Array, X: Array) -> float:
+def entry_errors(M: Array, X: Array) -> float:
     """Return the sum of the errors of all entries of frame M (12,) against pose X (4, 4)."""
     total = 0.0
     for r in range(3):

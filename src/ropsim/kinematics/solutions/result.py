@@ -139,6 +139,20 @@ class Free:
 
 
 @frozen_dataclass
+class FreeInterval:
+    """Values of the free coordinate of a redundant arm with answers within the limits at a pose.
+
+    Attributes:
+        lower: least value, in (-π, π] for an angle [rad].
+        upper: greatest value, equal to `lower` where a pose is reached with one value only [rad]; at most
+            2π more, which is a whole turn.
+    """
+
+    lower: float
+    upper: float
+
+
+@frozen_dataclass
 class Shortfall:
     """Why no branch reaches a pose.
 

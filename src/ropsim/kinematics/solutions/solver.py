@@ -104,6 +104,28 @@ class RedundantSolver(InverseSolver, Protocol):
     def branches_at(self, T: Array, near: Array, free: Array) -> Array:
         """Return all branches as `branches` does, with the free coordinates `free` [rad], shape (k,)."""
 
+    @property
+    def free_axis(self) -> int:
+        """Return the axis that is the free coordinate; -1 where it is none of them."""
+
+    def free_values(self, Q: Array) -> Array:
+        """Return the free coordinate at many joint coordinates (k, n) [rad], shape (k,)."""
+
+    def anchors(self, X_BM: Array, limits: Array) -> Array:
+        """Return answers to a pose from which every arc of them within the limits is found.
+
+        Those are the answers with a joint at one of its limits, at which arcs end, and others on each closed
+        curve of answers.
+
+        Args:
+            X_BM: the pose, shape (4, 4).
+            limits: lower and upper limits of the joints, infinite for those that have none or a whole turn
+                between them [rad], shape (2, n).
+
+        Returns:
+            Joint coordinates [rad], some within the limits and some not, shape (m, n).
+        """
+
 
 @runtime_checkable
 class SheetSolver(InverseSolver, Protocol):

@@ -14,8 +14,10 @@ from ropsim.kinematics.testing import (
     ThreeParallelSolver,
     checked,
     continued,
+    held_at,
     nearest_to,
     polished,
+    polished_within,
     refine,
     refine_rows,
     shape_of,
@@ -173,3 +175,21 @@ def test_refining_does_the_same_without_numba(robot: RobotModel) -> None:
     plain(chain_arrays(robot).flat, shape, poses, found, np.empty(ROOM + 1 + 16))
     assert refine(kernel_of(robot), chain_arrays(robot), poses, answers) is None
     np.testing.assert_allclose(found, answers, rtol=0.0, atol=ROUNDING)
+
+
+def test_answers_within_bounds_are_within_them_and_reach_their_poses() -> None:
+    lower, upper = Q.min(axis=0) - 0.2, Q.max(axis=0) + 0.2
+    starts = np.stack((lower, upper, 0.5 * (lower + upper)))
+    found = polished_within(CHAIN, T, np.tile(starts, (len(Q), 1, 1)), np.array([lower, upper]))
+    assert (~np.isnan(found[:, :, 0])).any(axis=1).mean() > 0.5
+    rows, place = np.nonzero(~np.isnan(found[:, :, 0]))
+    answers = found[rows, place]
+    assert ((answers >= lower) & (answers <= upper)).all()
+    np.testing.assert_allclose(forward_batch(ROBOT, answers), T[rows], rtol=0.0, atol=1e-9)
+
+
+def test_a_joint_that_is_held_keeps_its_value() -> None:
+    for q, X in zip(Q[:10], T[:10], strict=True):
+        found = held_at(CHAIN, X, q[np.newaxis] + 1e-3, 2, float(q[2]))
+        np.testing.assert_allclose(found, q[np.newaxis], rtol=0.0, atol=1e4 * ROUNDING)
+        assert len(held_at(CHAIN, X, q[np.newaxis], 2, float(q[2]) + 1e-3)) == 0

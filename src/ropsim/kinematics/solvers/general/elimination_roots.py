@@ -29,12 +29,13 @@ HIGHER, LOWER = np.array([0, 1, 3, 4, 6, 7, 9, 10]), np.array([1, 2, 4, 5, 7, 8,
 further on have the ratio x_d."""
 
 
-def starts(way: Elimination, T: Array) -> tuple[Array, Array]:
+def starts(way: Elimination, T: Array, almost: float = NEARLY_REAL) -> tuple[Array, Array]:
     """Return the results of the roots of k poses.
 
     Args:
         way: the elimination.
         T: poses X_BM, finite, shape (k, 4, 4).
+        almost: roots whose angle is this near to a real one are given [rad].
 
     Returns:
         Joint coordinates [rad], NaN where there is no root, shape (k, 24 + s, 6) with up to s further ones
@@ -51,7 +52,7 @@ def starts(way: Elimination, T: Array) -> tuple[Array, Array]:
     x[solvable] = _roots(A[solvable], B[solvable], D[solvable])
     with np.errstate(divide="ignore", invalid="ignore"):  # of ±i, which are no angles
         angles = 2.0 * np.arctan(x)
-    real = np.abs(angles.imag) < NEARLY_REAL
+    real = np.abs(angles.imag) < almost
     place, root = np.nonzero(real)
     c = angles.real[place, root]
     s_half, c_half = (part[:, np.newaxis, np.newaxis] for part in (np.sin(0.5 * c), np.cos(0.5 * c)))

@@ -1,5 +1,6 @@
 """Seven turning joints of any geometry: one is held, and the other six are solved algebraically."""
 
+from functools import lru_cache
 from typing import ClassVar
 
 import numpy as np
@@ -8,11 +9,12 @@ from ropsim.core import plural
 from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays
 from ropsim.kinematics.chain.forward import frames_of
 from ropsim.kinematics.solutions.configurations import configurations
-from ropsim.kinematics.solutions.polish import POSE_SLACK
+from ropsim.kinematics.solutions.polish import POSE_SLACK, polished
 from ropsim.kinematics.solutions.result import Free, Posture, Shortfall
 from ropsim.kinematics.solutions.solver import Method, Snap
 from ropsim.kinematics.solvers.axes import COUPLED
 from ropsim.kinematics.solvers.general.elimination import about_z, eliminations, steps_of
+from ropsim.kinematics.solvers.general.elimination_roots import starts
 from ropsim.kinematics.solvers.general.six_axis import PROBES
 from ropsim.kinematics.solvers.general.six_turning import all_answers, regular_ways
 from ropsim.kinematics.solvers.numeric import ROWS, NumericSolver, numeric
@@ -21,6 +23,12 @@ from ropsim.spatial import Array, frozen, record
 
 HELD = (2, 4, 0, 1, 3, 5, 6)
 """Joints that may be held, from 0; joint 3 turns the elbow of most arms of this kind."""
+TRIED = 16
+"""Configurations by which eliminations with another joint held are compared."""
+APART = np.pi / 12.0
+"""Closed curves of answers are sought at values of the held joint at most this far apart [rad]."""
+ALMOST_REAL = 0.5
+"""Solutions whose angle is this near to a real one [rad] may become answers at a neighbouring value."""
 
 
 @record
@@ -65,6 +73,48 @@ class GeneralSevenAxisSolver:
             out[these] = found
         return out
 
+    @property
+    def free_axis(self) -> int:
+        """Return the held joint."""
+        return self.joint
+
+    def free_values(self, Q: Array) -> Array:
+        """Return the coordinate of the held joint in rows Q (k, 7), shape (k,)."""
+        return Q[:, self.joint].copy()
+
+    def anchors(self, X_BM: Array, limits: Array) -> Array:
+        """Return answers on every arc within the limits, shape (m, 7); see `RedundantSolver`.
+
+        Those with a joint at a limit are answers of six joints, all of which are found. Closed curves within
+        the limits are met by values of the free coordinate, or come so near to one that the solutions of the
+        elimination are almost real: those lead to the curve when the free coordinate is let go.
+        """
+        near, found = np.zeros(7), []
+        for joint, row in zip(range(7), limits.T, strict=True):
+            found += [self._at(X_BM, joint, at, near) for at in row[np.isfinite(row)].tolist()]
+        lower, upper = limits[:, self.joint]
+        if np.isinf(lower):
+            lower, upper = -np.pi, np.pi
+        count = 1 + int(np.ceil((upper - lower) / APART))
+        values = np.linspace(lower, upper, count + 1)[:-1] + 0.5 * (upper - lower) / count
+        found += [self._at(X_BM, self.joint, at, near, ALMOST_REAL) for at in values.tolist()]
+        return np.concatenate(found)
+
+    def _at(self, X_BM: Array, joint: int, value: float, near: Array, almost: float = 0.0) -> Array:
+        """Return the answers with a joint at a value [rad], and those that almost real solutions lead to."""
+        ways = self.ways if joint == self.joint else ways_without(self, joint)
+        if not ways:
+            return np.empty((0, 7))
+        chain, T = without_joint(self.chain, joint, value), X_BM[np.newaxis]
+        cuts, others = eliminations(steps_of(chain), ways), [i for i in range(7) if i != joint]
+        rows = all_answers(chain, cuts, T, near[others])[0]
+        found = np.insert(rows[~np.isnan(rows[:, 0])], joint, value, axis=1)
+        if not almost:
+            return np.asarray(found)
+        rough = np.insert(starts(cuts[0], T, almost)[0][0], joint, value, axis=1)
+        more = polished(self.chain, T, rough[~np.isnan(rough[:, 0])][np.newaxis])[0]
+        return np.concatenate((found, more[~np.isnan(more[:, 0])]))
+
     def free(self, q: Array) -> Free:
         """Return the held joint and its coordinate in q (7,)."""
         return Free(f"joint {self.joint_name}", float(q[self.joint]))
@@ -102,6 +152,14 @@ def without_joint(chain: ChainArrays, joint: int, value: float) -> ChainArrays:
         turning=frozen(np.ones(n)),
         flat=frozen(np.concatenate((rows.ravel(), C[-1, :3, :3].ravel(), C[-1, :3, 3]))),
     )
+
+
+@lru_cache(maxsize=256)
+def ways_without(solver: GeneralSevenAxisSolver, joint: int) -> tuple[int, ...]:
+    """Return the eliminations that are regular with a joint held, none where all are singular."""
+    Q = solver.search.starts[:TRIED]
+    rest, six = without_joint(solver.chain, joint, float(Q[0, joint])), np.delete(Q, joint, axis=1)
+    return regular_ways(rest, np.ascontiguousarray(frames_of(rest, six)[:, -1]), six)
 
 
 def recognise(robot: RobotModel) -> GeneralSevenAxisSolver | str:

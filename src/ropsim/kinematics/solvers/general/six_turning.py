@@ -144,7 +144,7 @@ def _more(
     tries: tuple[tuple[Elimination, float], ...],
 ) -> Array:
     """Return answers with further ones for the poses where `asked` is true, shape (k, more, 6)."""
-    if not asked.any():
+    if not tries or not asked.any():
         return found
     tried = [starts(way, _beside(T[asked], step))[0] for way, step in tries]
     answers = polished(chain, T[asked], np.concatenate(tried, axis=1))

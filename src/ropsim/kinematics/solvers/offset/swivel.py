@@ -22,12 +22,25 @@ import numpy as np
 from ropsim.codegen import Compiled, bound
 from ropsim.core import plural
 from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays
-from ropsim.kinematics.solutions.polish import POSE_SLACK, polished
+from ropsim.kinematics.solutions.polish import POSE_SLACK, held_at, polished
 from ropsim.kinematics.solutions.result import Free, IkStatus, Posture, Reach, Shortfall
 from ropsim.kinematics.solutions.solver import Method, Snap
 from ropsim.kinematics.solvers.axes import COUPLED, LENGTH_SLACK, NEAR_SINGULAR, ZeroFrames, distance, snap
 from ropsim.kinematics.solvers.offset import swivel_kernel as kernel
-from ropsim.kinematics.solvers.offset.swivel_arm import SwivelArm, directions_missed, snapped_axes, swivel_arm
+from ropsim.kinematics.solvers.offset.swivel_anchors import (
+    JOINTS,
+    THIRDS,
+    TRIED,
+    straight_swivels,
+    swivels_at,
+)
+from ropsim.kinematics.solvers.offset.swivel_arm import (
+    SwivelArm,
+    directions_missed,
+    euler_turns,
+    snapped_axes,
+    swivel_arm,
+)
 from ropsim.kinematics.solvers.offset.swivel_kernel import ALIGNED_SLACK, REACH_SLACK
 from ropsim.model import JointType, RobotModel
 from ropsim.spatial import Array, record
@@ -36,6 +49,13 @@ SHORTEST_LINK = 1e-6
 """Axis 4 nearer than this [m] to S or W cannot change their distance."""
 TIE = 1e-9
 """A singular configuration belongs to two branches; within this [rad] it is given the first one."""
+MEETING = 1e-2
+"""A joint this near to a limit [rad] at a swivel angle of the class meets it in an arm that is snapped."""
+ANYWHERE = np.inf
+"""Joints whose axes are in line may meet limits at any distance [rad]."""
+IN_LINE = 1e-3
+"""Axes with a smaller sine of their angle are in line."""
+TURN = 2.0 * np.pi
 WIDER = 3.0
 """The slacks of a snapped arm are this multiple of the error that its snap can make."""
 
@@ -73,6 +93,7 @@ class SwivelSolver:
     parts: ClassVar[tuple[str, ...]] = ("shoulder", "elbow", "wrist")
     postures: ClassVar[tuple[Posture, ...]] = POSTURES
     slack: ClassVar[float] = POSE_SLACK
+    free_axis: ClassVar[int] = -1
     free_name: ClassVar[str] = "swivel angle"
 
     def branches(self, T: Array, near: Array) -> Array:
@@ -99,6 +120,42 @@ class SwivelSolver:
     def may_stay(self, q: Array) -> bool:
         """Return whether joint coordinates (7,) are near to a singular configuration."""
         return min(abs(sin(angle)) for angle in self.arm.turned(q)) < NEAR_SINGULAR
+
+    def free_values(self, Q: Array) -> Array:
+        """Return the swivel angles of rows of joint coordinates (k, 7), shape (k,)."""
+        return self.arm.swivels(Q)
+
+    def anchors(self, X_BM: Array, limits: Array) -> Array:
+        """Return answers on every arc within the limits, shape (m, 7); see `RedundantSolver`.
+
+        Where outer axes of shoulder or wrist are in line, a joint may be at its limit with no other swivel
+        angle.
+        """
+        T, near = X_BM[np.newaxis], np.zeros(7)
+        samples = self.branches_at(np.repeat(T, 3, axis=0), near, THIRDS)
+        tried = [(-1, 0.0, swivel, 0.0) for swivel in TRIED]
+        for elbow in (0, 2):
+            angles = samples[:, elbow] + self.arm.zeros
+            for joints in JOINTS:
+                turns = euler_turns(angles[:, joints])
+                straight = straight_swivels(turns)
+                tried += [(-1, 0.0, swivel, 0.0) for swivel in straight]
+                for place, joint in enumerate(joints):
+                    for value in limits[:, joint][np.isfinite(limits[:, joint])].tolist():
+                        at_limit = swivels_at(turns, place, value + float(self.arm.zeros[joint]))
+                        tried += [(joint, value, swivel, MEETING) for swivel in at_limit]
+                        tried += [(joint, value, swivel, ANYWHERE) for swivel in straight if place != 1]
+        joint, value, swivel, apart = np.ascontiguousarray(np.array(tried).T)
+        rows = self.branches_at(np.repeat(T, len(swivel), axis=0), near, swivel)
+        found = [rows[~np.isnan(rows[:, :, 0])]]
+        for j, at in sorted({(int(j), float(at)) for j, at in zip(joint, value, strict=True) if j >= 0}):
+            of_limit = (joint == j) & (value == at)
+            starts, most = rows[of_limit].reshape(-1, 7), np.repeat(apart[of_limit], 8)
+            near_it = np.abs(starts[:, j] - at - TURN * np.round((starts[:, j] - at) / TURN)) < most
+            found.append(held_at(self.chain, X_BM, starts[near_it & (most < ANYWHERE)], j, at))
+            in_line = np.abs(np.sin(starts[:, [1, 5]] + self.arm.zeros[[1, 5]])).min(axis=1) < IN_LINE
+            found.append(held_at(self.chain, X_BM, starts[in_line & (most == ANYWHERE)], j, at))
+        return np.concatenate(found)
 
     def shortfall(self, X_BM: Array) -> Shortfall:
         """Return how far W would be from S."""

@@ -69,6 +69,34 @@ class SwivelArm:
         )
         return atan2(float(n @ np.cross(w, level)), float(n @ level))
 
+    def swivels(self, Q: Array) -> Array:
+        """Return the swivel angles at rows of joint coordinates (k, 7) [rad], in (-π, π], shape (k,)."""
+        theta = Q + self.zeros
+        K, L = self.shoulder
+        R = K @ euler_turns(theta[:, :3]) @ L.T
+        c, s = (part(theta[:, 3:4] - self.phi) for part in (np.cos, np.sin))
+        along = self.axis * (self.axis @ self.r)
+        turned = along + (self.r - along) * c + np.cross(self.axis, self.r) * s
+        w = (R @ (self.u + turned)[:, :, np.newaxis])[:, :, 0]
+        w /= np.linalg.norm(w, axis=1, keepdims=True)
+        n = R @ self.axis * np.where(np.sin(theta[:, 3:4]) >= 0.0, 1.0, -1.0)
+        steep = np.hypot(w[:, 0], w[:, 1]) <= ALIGNED * np.abs(w[:, 2])
+        level = np.column_stack((-w[:, 1], w[:, 0], np.zeros(len(w))))
+        level[steep] = [0.0, 1.0, 0.0]
+        sine, cosine = (n * np.cross(w, level)).sum(axis=1), (n * level).sum(axis=1)
+        return np.asarray(np.arctan2(sine, cosine))
+
+
+def euler_turns(angles: Array) -> Array:
+    """Return Rz(A)·Ry(B)·Rz(C) of rows of three angles (..., 3) [rad], shape (..., 3, 3)."""
+    (a, b, c), (s, t, u) = np.moveaxis(np.cos(angles), -1, 0), np.moveaxis(np.sin(angles), -1, 0)
+    rows = (
+        (a * b * c - s * u, -a * b * u - s * c, a * t),
+        (s * b * c + a * u, -s * b * u + a * c, s * t),
+        (-t * c, t * u, b),
+    )
+    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+
 
 def swivel_arm(chain: ChainArrays, frames: ZeroFrames, S: Array, W: Array) -> SwivelArm:
     """Return the geometry of an arm of the class.
