@@ -10,8 +10,10 @@ from ropsim.exchange.files.folder import STANDARD, ReadOptions
 from ropsim.exchange.files.values import finite, numbers_of
 from ropsim.exchange.files.xml_tree import Element, read_xml
 from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING
+from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_MOTION
-from ropsim.exchange.losses.notes import Notes, listed, shown
+from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.mjcf.actuators import axis_names, driven
 from ropsim.exchange.mjcf.bodies import BodyReader
 from ropsim.exchange.mjcf.constraints import coupled
@@ -32,6 +34,8 @@ _SILENT = {
     "keyframe",
     "custom",
 }
+_TENDONS = Topic(LOST_MOTION, "tendons", "tendons {} do not go over")
+_OTHERS = Topic(LOST_DESCRIPTION, "elements for other programs", "elements {} do not go over")
 _SILENT |= {"visual", "statistic", "size", "contact"}
 
 
@@ -107,9 +111,7 @@ def _home(root: Element, connections: tuple[Connection, ...]) -> Iterable[tuple[
 def _losses(root: Element, notes: Notes) -> None:
     tendons = [one for tendon in root.all("tendon") for one in tendon.children]
     if tendons:
-        words = f"{len(tendons)} tendons do not go over"
-        notes.add(LOST_MOTION, tendons[0].span, words)
+        notes.gather(_TENDONS, tendons[0].span, (one.attributes.get("name", one.name) for one in tendons))
     others = [one for one in root.children if one.name not in _SILENT and one.name != "tendon"]
     if others:
-        words = f"elements {listed(one.name for one in others)} do not go over"
-        notes.add(LOST_DESCRIPTION, others[0].span, words)
+        notes.gather(_OTHERS, others[0].span, (one.name for one in others))

@@ -8,8 +8,10 @@ from ropsim.exchange.assembly.robot import read_robot
 from ropsim.exchange.files.folder import STANDARD, ReadOptions
 from ropsim.exchange.files.xml_tree import Element, read_xml
 from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING
-from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE
-from ropsim.exchange.losses.notes import Notes, listed, shown
+from ropsim.exchange.losses.gathered import Topic
+from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
+from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.urdf.joints import connection_of, lost_of
 from ropsim.exchange.urdf.links import body_of
 from ropsim.exchange.urdf.shapes import materials_of
@@ -17,7 +19,14 @@ from ropsim.exchange.xacro.expansion import expanded, uses_xacro
 from ropsim.model import ReadRobot
 
 _READ = {"link", "joint", "material"}
-_DRIVES = {"transmission", "ros2_control"}
+_OTHERS = Topic(
+    LOST_DESCRIPTION, "elements for other programs", "elements {} for other programs do not go over"
+)
+_COLLISION = Topic(
+    LOST_DESCRIPTION,
+    "collision geometry",
+    "the collision geometry of links {} does not go over: drawn is the visual one",
+)
 
 
 def read_urdf(source: SourceText, options: ReadOptions = STANDARD) -> ReadRobot:
@@ -59,14 +68,8 @@ def _losses(root: Element, notes: Notes) -> None:
     for joint in root.all("joint"):
         lost_of(joint, notes)
     others = [one for one in root.children if one.name not in _READ]
-    for kind, names in (
-        (LOST_DRIVE, [one for one in others if one.name in _DRIVES]),
-        (LOST_DESCRIPTION, [one for one in others if one.name not in _DRIVES]),
-    ):
-        if names:
-            words = f"elements {listed(one.name for one in names)} do not go over ({len(names)} of them)"
-            notes.add(kind, names[0].span, words)
+    if others:
+        notes.gather(_OTHERS, others[0].span, (one.name for one in others))
     both = [one for one in root.all("link") if one.first("visual") and one.first("collision")]
     if both:
-        words = f"the collision geometry of links {listed(one.attributes.get('name', '') for one in both)}"
-        notes.add(LOST_DESCRIPTION, both[0].span, f"{words} does not go over: drawn is the visual one")
+        notes.gather(_COLLISION, both[0].span, (one.attributes.get("name", "") for one in both))

@@ -76,8 +76,9 @@ def test_limits_are_those_of_the_file_and_the_rest_is_estimated_and_told() -> No
     assert (shoulder.max_speed, shoulder.max_acceleration, shoulder.max_jerk) == (2.0, 8.0, 80.0)
     assert (slide.max_speed, slide.max_effort) == (0.5, inf)
     assert slide.max_acceleration > 0.0
-    told = [one.data["joints"] for one in found.findings if one.code == "X990"]
-    assert told == [("slide",), ("slide",)]  # acceleration and jerk; effort
+    (told,) = [one for one in found.findings if one.code == "X990"]
+    assert told.data == {"greatest acceleration and jerk": ("slide",), "greatest effort": ("slide",)}
+    assert told.notes[1].endswith("greatest effort, or 0, of joints `slide`: they have no such limit")
     assert any(one.kind == "estimated" for one in found.robot.origins)
 
 
@@ -163,7 +164,7 @@ def test_a_joint_beside_the_way_to_the_tip_rests_and_its_link_weighs_on() -> Non
     assert found.robot is not None
     assert found.robot.links[1].mass == pytest.approx(2.1)
     (lost,) = [one for one in found.findings if one.code == "X993"]
-    assert lost.data["joints"] == ("grip",)
+    assert lost.data["joints off the way to the tip"] == ("grip",)
     assert read(ARM, tip="finger").n == 3
 
 
@@ -173,8 +174,48 @@ def test_a_joint_without_limits_matters_only_where_it_is_an_axis() -> None:
     assert read(text) == read(ARM.replace('lower="0.01"', 'lower="-0.01"'))
     found = read_urdf(SourceText("arm.urdf", text), ReadOptions("finger"))
     assert [(one.code, one.message) for one in found.findings if one.is_error] == [
-        ("X982", "joint `grip` has no limits")
+        ("X982", "joint `grip` has no lower and no upper limit")
     ]
+
+
+LIMIT = '<limit lower="-2" upper="1.5" effort="100" velocity="2" acceleration="8" jerk="80"/>'
+
+
+@pytest.mark.parametrize(
+    ("limit", "lack", "words"),
+    [
+        ("", "no limits", "no lower and no upper limit of joints `shoulder`: they turn without end"),
+        ('<limit effort="1" velocity="1"/>', "equal limits", "both are 0 rad of `shoulder`"),
+        ('<limit lower="1" upper="1" effort="1" velocity="1"/>', "equal limits", "both are 1 rad"),
+    ],
+)
+def test_a_joint_without_a_range_turns_without_end_and_is_named(limit: str, lack: str, words: str) -> None:
+    found = read_urdf(SourceText("arm.urdf", ARM.replace(LIMIT, limit)))
+    assert found.robot is not None
+    assert (found.robot.joints[0].lower, found.robot.joints[0].upper) == (-WITHOUT_END, WITHOUT_END)
+    (told,) = [one for one in found.findings if one.code == "X999"]
+    assert told.data == {lack: ("shoulder",)}
+    assert words in told.message
+    assert told.span is not None
+
+
+def test_each_missing_limit_names_its_joints_and_what_is_used_instead() -> None:
+    limit = '<limit lower="-2" upper="1.5" effort="0" velocity="0"/>'
+    found = read_urdf(SourceText("arm.urdf", ARM.replace(LIMIT, limit)))
+    (told,) = [one for one in found.findings if one.code == "X990"]
+    assert told.data == {
+        "greatest speed": ("shoulder",),
+        "greatest acceleration and jerk": ("shoulder", "slide"),
+        "greatest effort": ("shoulder", "slide"),
+    }
+    assert "half a turn in a second" in told.notes[0]
+    assert found.robot is not None
+    assert found.robot.joints[0].max_speed == pytest.approx(np.pi)
+
+
+def test_a_file_has_one_finding_of_each_kind() -> None:
+    findings = read_urdf(SourceText("arm.urdf", ARM)).findings
+    assert len({one.code for one in findings}) == len(findings)
 
 
 def test_losses_name_the_entities() -> None:
@@ -213,7 +254,7 @@ BAD = {
         '<robot name="a"/>',
         ARM.replace('<parent link="base_link"/>', ""),
         ARM.replace('<mass value="2"/>', ""),
-        ARM.replace('limit lower="-2"', 'limits lower="-2"'),
+        ARM.replace('limit lower="0.1"', 'limits lower="0.1"'),
         ARM.replace('radius="0.05"', ""),
         ARM.replace('name="slide" ', ""),
         ARM.replace('<box size="0.1 0.1 0.4"/>', ""),
@@ -226,6 +267,7 @@ BAD = {
         ARM.replace('"0 0 0.5"', '"0 0 1e999"'),
         ARM.replace('value="2"', 'value="-2"'),
         ARM.replace('"-2"', '"2"'),
+        ARM.replace('lower="0.1" upper="0.4"', 'lower="0.1" upper="0.1"'),
         ARM.replace('size="0.1 0.1 0.4"', 'size="0.1 -0.1 0.4"'),
         ARM.replace('damping="0.7"', 'damping="-0.7"'),
         ARM.replace('velocity="2"', 'velocity="-2"'),
@@ -277,7 +319,7 @@ def test_a_near_name_is_suggested() -> None:
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        (ARM.replace('mass value="4"', 'mass value="4000"'), "weigh"),
+        (ARM.replace('mass value="4"', 'mass value="4000"'), "links are heavy"),
         (ARM.replace('ixx="0.02"', 'ixx="9"'), "moments of inertia"),
         (
             ARM.replace('mass value="2"', 'mass value="0"').replace('mass value="0.1"', 'mass value="0"'),

@@ -1,6 +1,6 @@
 """Bodies of a file become links of the robot: bodies fixed to each other become one."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -9,8 +9,10 @@ from ropsim.exchange.assembly.description import Body, Description, Motion
 from ropsim.exchange.assembly.link_tree import LinkTree
 from ropsim.exchange.files.names import BASE, FLANGE, link_name
 from ropsim.exchange.losses.diagnostics import DOUBTFUL_BODY
+from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
-from ropsim.exchange.losses.notes import Notes, listed
+from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.notes import Notes
 from ropsim.model import BASE_LINK, Joint, Link, Payload, Shape, combine, moved
 from ropsim.spatial import Pose
 
@@ -23,6 +25,47 @@ thirty published arms have 3 to 76, one whose file adds up to 4.9 t instead of 1
 _ALIKE = 4  # this number of links with one mass are placeholders
 _SLACK = 1e-3  # relative, of A + B >= C: files round their moments
 _SHORTEST = 0.05  # m, of a reach that says something
+
+_UP = "look mass and inertia up, or leave them as they are"
+_NEGATIVE = Topic(
+    DOUBTFUL_BODY,
+    "negative moments",
+    "links {} have negative moments of inertia, those of a body are positive",
+    _UP,
+)
+_TRIANGLE = Topic(
+    DOUBTFUL_BODY, "moments of no body", "no rigid body has the moments of inertia of links {}", _UP
+)
+_LONG = Topic(
+    DOUBTFUL_BODY,
+    "inertias too large",
+    "the moments of inertia of links {} are those of bodies that are longer than the robot",
+    _UP,
+)
+_MASSLESS = Topic(
+    DOUBTFUL_BODY,
+    "joints without mass",
+    "no mass is moved by joints {} themselves",
+    "give the links their masses: dynamics need them",
+)
+_HEAVY = Topic(DOUBTFUL_BODY, "heavy links", "the links are heavy for the arm", "compare with the data sheet")
+_ONE_MASS = Topic(
+    DOUBTFUL_BODY,
+    "one mass for all links",
+    "all links have one mass",
+    "these may be placeholders: compare with the data sheet",
+)
+_FIXED = Topic(
+    LOST_DESCRIPTION,
+    "frames of fixed links",
+    "links {} become a part of the link that carries them, and their frames go",
+)
+_RENAMED = Topic(LOST_DESCRIPTION, "names of links", "links {} are called after the joints that move them")
+_STANDING = Topic(
+    LOST_DESCRIPTION, "frames of the base", "links {} become a part of the base, and their frames go"
+)
+_WEIGHTS = Topic(LOST_DESCRIPTION, "weight of the base", "links {} stand still: their weight goes")
+_TIP = Topic(LOST_DESCRIPTION, "name of the tip", "link {} is called the mechanical interface")
 
 
 def links_of(
@@ -69,41 +112,34 @@ def weight_findings(
     """Note masses and inertias that a robot of this size cannot have."""
     reach = sum(_length(joint.placement) for joint in joints[1:]) + _length(interface)
     for body in description.bodies:
-        words = _doubt(body.weight, reach)
-        if words:
-            hint = "look its mass and inertia up, or leave them as they are"
-            notes.add(DOUBTFUL_BODY, body.span, f"link `{body.name}` {words}", hint)
+        for topic, figures in _doubts(body.weight, reach):
+            notes.gather(topic, body.span, [body.name], f"`{shown(body.name)}` has {figures}")
     light = [joint.name for joint, link in zip(joints, links, strict=True) if not link.mass]
     if light:
-        words = f"no mass is moved by joint {listed(light)} itself"
-        notes.add(DOUBTFUL_BODY, description.span, words, "give the links their masses: dynamics need them")
+        notes.gather(_MASSLESS, description.span, light)
     masses = [link.mass for link in links if link.mass]
     total = sum(masses)
     if total > DENSEST * max(reach, _SHORTEST) ** 3:
-        words = f"the links weigh {total:.4g} kg together, which is much for {reach:.3g} m of arm"
-        notes.add(DOUBTFUL_BODY, description.span, words, "compare with the data sheet")
+        notes.gather(_HEAVY, description.span, (), f"{total:.4g} kg for {reach:.3g} m of arm")
     if len(masses) >= _ALIKE and len(set(masses)) == 1:
-        words = f"all {len(masses)} links have a mass of {masses[0]:g} kg"
-        notes.add(
-            DOUBTFUL_BODY, description.span, words, "these may be placeholders: compare with the data sheet"
-        )
+        notes.gather(_ONE_MASS, description.span, (), f"{masses[0]:g} kg for {len(masses)} links")
 
 
 def _length(X: Pose) -> float:
     return float(np.linalg.norm(X.position))
 
 
-def _doubt(weight: Payload, reach: float) -> str:
+def _doubts(weight: Payload, reach: float) -> Iterator[tuple[Topic, str]]:
+    """Yield doubts about the moments of inertia of a body, with its figures."""
     moments = np.linalg.eigvalsh((weight.inertia + weight.inertia.T) / 2.0)
     a, b, c = moments.tolist()
-    figures = f"has the moments of inertia {a:.4g}, {b:.4g}, {c:.4g} kg·m²"
+    figures = f"{a:.4g}, {b:.4g}, {c:.4g} kg·m²"
     if a < 0.0 and abs(a) > _SLACK * c:
-        return f"{figures}, those of a body are positive"
-    if a + b < c * (1.0 - _SLACK):
-        return f"{figures}, allowed for the last is {a + b:.4g}"
-    if reach > _SHORTEST and c > weight.mass * reach**2 and weight.mass > 0.0:
-        return f"{figures}: for {weight.mass:.4g} kg those of a body that is longer than the robot"
-    return ""
+        yield _NEGATIVE, figures
+    elif a + b < c * (1.0 - _SLACK):
+        yield _TRIANGLE, f"{figures}, allowed for the last is {a + b:.4g}"
+    elif reach > _SHORTEST and c > weight.mass * reach**2 and weight.mass > 0.0:
+        yield _LONG, f"{figures} for {weight.mass:.4g} kg"
 
 
 def carried_names(
@@ -121,17 +157,9 @@ def carried_names(
     still = [one.name for one in standing]
     heavy = [one.name for one in standing if one.weight.mass]
     others = [name for name in still if name not in (BASE, tree.root)]
-    rows = (
-        (fixed, "become a part of the link that carries them, and their frames go"),
-        (renamed, "are called after the joints that move them"),
-        (others, "become a part of the base, and their frames go"),
-        (heavy, "stand still: their weight goes"),
-        (
-            [tip] if tip not in (FLANGE, *(one.child for one in moving)) else [],
-            "is called the mechanical interface",
-        ),
-    )
-    for names, words in rows:
+    ends = [tip] if tip not in (FLANGE, *(one.child for one in moving)) else []
+    rows = ((_FIXED, fixed), (_RENAMED, renamed), (_STANDING, others), (_WEIGHTS, heavy), (_TIP, ends))
+    for topic, names in rows:
         if names:
             place = next(one.span for one in description.bodies if one.name == names[0])
-            notes.add(LOST_DESCRIPTION, place, f"links {listed(names)} {words}", data={"links": tuple(names)})
+            notes.gather(topic, place, names)

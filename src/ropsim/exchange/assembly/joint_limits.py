@@ -3,8 +3,10 @@
 from math import inf, pi
 
 from ropsim.exchange.assembly.description import Connection, Limits, Motion
-from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING, LIMIT_UNKNOWN
-from ropsim.exchange.losses.notes import Notes, listed
+from ropsim.exchange.losses.diagnostics import BAD_NUMBER, ELEMENT_MISSING, LIMIT_UNKNOWN, RANGE_UNKNOWN
+from ropsim.exchange.losses.gathered import Topic
+from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.notes import Notes
 from ropsim.model import JointLimits
 
 WITHOUT_END = 400.0 * 2.0 * pi
@@ -17,6 +19,39 @@ _SPEEDS = {Motion.TURN: pi, Motion.SLIDE: 0.5}  # [rad/s | m/s]
 _TO_SPEED = 0.25  # [s] until the greatest speed is reached with the greatest acceleration
 _TO_ACCELERATION = 0.1  # [s] until that is reached with the greatest jerk
 
+_SPEED = Topic(
+    LIMIT_UNKNOWN,
+    "greatest speed",
+    "the file says no greatest speed, or 0, of joints {}: estimated is half a turn in a second, 0.5 m/s for "
+    "slides",
+    "write the numbers of the data sheet into it",
+)
+_RISE = Topic(
+    LIMIT_UNKNOWN,
+    "greatest acceleration and jerk",
+    f"the file says no greatest acceleration and jerk of joints {{}}: estimated is full speed after "
+    f"{_TO_SPEED:g} s, full acceleration after {_TO_ACCELERATION:g} s",
+    "write the numbers of the data sheet into it",
+)
+_EFFORT = Topic(
+    LIMIT_UNKNOWN,
+    "greatest effort",
+    "the file says no greatest effort, or 0, of joints {}: they have no such limit",
+    "write the numbers of the data sheet into it",
+)
+_ABSENT = Topic(
+    RANGE_UNKNOWN,
+    "no limits",
+    "the file says no lower and no upper limit of joints {}: they turn without end",
+    "write the limits of the data sheet into it",
+)
+_EQUAL = Topic(
+    RANGE_UNKNOWN,
+    "equal limits",
+    "the file says one number for the lower and the upper limit of joints {}: they turn without end",
+    "write the limits of the data sheet into it",
+)
+
 
 def limits_of(one: Connection) -> JointLimits:
     """Return the limits of a joint, with estimates for missing ones."""
@@ -24,38 +59,45 @@ def limits_of(one: Connection) -> JointLimits:
     acceleration = one.limits.acceleration or speed / _TO_SPEED
     jerk = one.limits.jerk or acceleration / _TO_ACCELERATION
     lower, upper = max(one.limits.lower, -WITHOUT_END), min(one.limits.upper, WITHOUT_END)
+    if lower == upper and (one.motion is Motion.TURN or one.following):
+        lower, upper = -WITHOUT_END, WITHOUT_END
     return JointLimits(lower, upper, speed, acceleration, jerk, one.limits.effort or inf)
 
 
 def unknown_names(joints: list[Connection]) -> dict[str, tuple[str, ...]]:
-    """Return the joints that lack a limit in a file, by the missing limit."""
-    rows = (
-        ("greatest speed", [one.name for one in joints if not one.limits.speed]),
-        ("greatest acceleration and jerk", [one.name for one in joints if not _has_rise(one)]),
+    """Return the joints that lack a limit in a file for which there is an estimate, by the missing limit."""
+    return {topic.what: names for topic, names in _lacking(joints) if names and topic is not _EFFORT}
+
+
+def _lacking(joints: list[Connection]) -> tuple[tuple[Topic, tuple[str, ...]], ...]:
+    return (
+        (_SPEED, tuple(one.name for one in joints if not one.limits.speed)),
+        (_RISE, tuple(one.name for one in joints if not (one.limits.acceleration and one.limits.jerk))),
+        (_EFFORT, tuple(one.name for one in joints if not one.limits.effort)),
     )
-    return {what: tuple(names) for what, names in rows if names}
 
 
 def unknown_limits(joints: list[Connection], notes: Notes) -> None:
-    """Note estimated limits, unknown efforts, and range ends that cannot be estimated."""
+    """Note estimated limits, unknown efforts, and ranges that a file does not say."""
     for one in joints:
-        if one.limits.lower == -inf:
-            words = f"joint `{one.name}` has no limits"
-            hint = "write the lower and upper limit of its coordinate into the file"
-            notes.add(ELEMENT_MISSING, one.span, words, hint)
-    missing = [*unknown_names(joints).items()]
-    efforts = tuple(one.name for one in joints if not one.limits.effort)
-    if efforts:
-        missing.append(("greatest effort", efforts))
-    for what, names in missing:
-        notes.add(
-            LIMIT_UNKNOWN,
-            next(one.span for one in joints if one.name == names[0]),
-            f"the file does not say the {what} of joints {listed(names)}",
-            "write the numbers of the data sheet into it",
-            {"joints": names},
-        )
+        _range(one, notes)
+    spans = {one.name: one.span for one in joints}
+    for topic, names in _lacking(joints):
+        if names:
+            notes.gather(topic, spans[names[0]], names)
 
 
-def _has_rise(one: Connection) -> bool:
-    return bool(one.limits.acceleration and one.limits.jerk)
+def _range(one: Connection, notes: Notes) -> None:
+    lower, upper = one.limits.lower, one.limits.upper
+    if lower < upper and lower != -inf:
+        return
+    if one.motion is Motion.TURN:
+        figures = "" if lower == -inf else f"both are {lower:g} rad of `{shown(one.name)}`"
+        notes.gather(_ABSENT if lower == -inf else _EQUAL, one.span, [one.name], figures)
+    elif lower == -inf:
+        words = f"joint `{shown(one.name)}` has no lower and no upper limit"
+        hint = "write the lower and upper limit of its coordinate into the file"
+        notes.add(ELEMENT_MISSING, one.span, words, hint)
+    else:
+        words = f"joint `{shown(one.name)}` has {lower:g} m as its lower and its upper limit"
+        notes.add(BAD_NUMBER, one.span, words, "the lower limit must be the smaller number")

@@ -6,8 +6,17 @@ from ropsim.core import Span, frozen_dataclass
 from ropsim.exchange.assembly.description import Connection, Motion
 from ropsim.exchange.assembly.link_tree import LinkTree
 from ropsim.exchange.losses.diagnostics import BROKEN_TREE, JOINT_IMPOSSIBLE, UNKNOWN_ENTITY
+from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_MOTION
-from ropsim.exchange.losses.notes import Notes, listed
+from ropsim.exchange.losses.names import listed
+from ropsim.exchange.losses.notes import Notes
+
+_RESTING = Topic(
+    LOST_MOTION,
+    "joints off the way to the tip",
+    "joints {} are not on the way to the tip and stand still",
+    "read the file once more for another tip where they are a robot of their own",
+)
 
 
 @frozen_dataclass
@@ -56,13 +65,7 @@ def kept_joints(tree: LinkTree, tip: str, span: Span, notes: Notes) -> KeptJoint
         if one.name not in kept:
             resting[one.name] = _rest(one, resting)
     if resting:
-        notes.add(
-            LOST_MOTION,
-            moving[next(iter(resting))].span,
-            f"joints that are not on the way to the tip `{tip}` stand still: {listed(resting)}",
-            "read the file once more for another tip where they are a robot of their own",
-            {"joints": tuple(resting)},
-        )
+        notes.gather(_RESTING, moving[next(iter(resting))].span, resting)
     names = [one.name for one in tree.order if one.name in kept]
     return KeptJoints({name: number for number, name in enumerate(names)}, resting)
 

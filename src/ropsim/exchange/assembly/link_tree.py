@@ -12,7 +12,8 @@ from ropsim.exchange.losses.diagnostics import (
     SAME_ENTITY,
     UNKNOWN_ENTITY,
 )
-from ropsim.exchange.losses.notes import Notes, listed
+from ropsim.exchange.losses.names import listed
+from ropsim.exchange.losses.notes import Notes
 
 MOST_JOINTS = 200
 """Maximum number of moving joints of a robot file."""

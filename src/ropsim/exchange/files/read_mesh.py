@@ -3,9 +3,18 @@
 from ropsim.core import Span
 from ropsim.exchange.files.folder import SCHEMES, RobotFolder
 from ropsim.exchange.losses.diagnostics import MESH_MISSING
+from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
-from ropsim.exchange.losses.notes import Notes, shown
+from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.notes import Notes
 from ropsim.model import MESH_ENDINGS, Mesh
+
+_UNDRAWN = Topic(
+    LOST_DESCRIPTION,
+    "meshes in other formats",
+    f"the meshes {{}} are not drawn: read are {', '.join(MESH_ENDINGS)}",
+    "convert them to one of these",
+)
 
 
 def package_of(name: str) -> str:
@@ -35,8 +44,7 @@ def mesh_of(
     if not folder.has(path):
         path = folder.path(name, beside="") or path  # counted from the folder of the project
     if not path.lower().endswith(MESH_ENDINGS):
-        words = f"the mesh `{shown(name)}` is not drawn: read are {', '.join(MESH_ENDINGS)}"
-        notes.add(LOST_DESCRIPTION, span, words, "convert it to one of these")
+        notes.gather(_UNDRAWN, span, [name])
         return None
     if len(set(scale)) > 1 or scale[0] <= 0.0:
         figures = " ".join(f"{one:g}" for one in scale)

@@ -5,7 +5,8 @@ from math import sqrt
 
 from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.diagnostics import BAD_NUMBER, ELEMENT_MISSING
-from ropsim.exchange.losses.notes import Notes, shown
+from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.notes import Notes
 
 LARGEST = 1e12
 """Greatest number of a robot, in any unit; squares and products of numbers up to it stay finite."""

@@ -1,4 +1,4 @@
-"""Findings on a robot in URDF, xacro or MJCF (codes X980 to X992, X998)."""
+"""Findings on a robot in URDF, xacro or MJCF (codes X980 to X992, X998, X999)."""
 
 from ropsim.core import Severity, define
 
@@ -36,8 +36,8 @@ ELEMENT_MISSING = define(
     Severity.ERROR,
     "an element or attribute that a robot needs is not there",
     """
-A joint needs a name, a type, and the two links that it joins; one that turns or slides within limits
-needs its `limit`. A geometry needs its measures. Nothing is guessed in their place, since a guessed
+A joint needs a name, a type, and the two links that it joins; one that slides needs its `limit`. A geometry
+needs its measures. Nothing is guessed in their place, since a guessed
 frame or limit moves a real robot to the wrong place. Numbers that a file may leave out have the values
 that its format states.
 """,
@@ -51,7 +51,7 @@ BAD_NUMBER = define(
     """
 Numbers are decimal and finite, as many as the attribute has: three of a position, four of a quaternion.
 An axis and a quaternion have a direction, so they are not zero; masses are not negative; a lower limit
-is below its upper limit; measures of solids are positive. `nan` and `inf` are refused wherever they
+is not above its upper limit; measures of solids are positive. `nan` and `inf` are refused wherever they
 stand.
 
 Angles are radians in URDF, and degrees or radians in MJCF, as its `compiler` says: degrees if it says
@@ -145,9 +145,9 @@ LIMIT_UNKNOWN = define(
     """
 Planning needs the greatest speed, acceleration and jerk of each axis. URDF has the speed, and since
 version 1.2 acceleration and jerk; MJCF has none of them. A speed or an effort of 0 stands for unknown in
-many files. What is not known is estimated: speed half a turn in a second (0.5 m/s for slides), full
-speed after 0.25 s, full acceleration after 0.1 s; an unknown effort is no limit. The model tells them as
-`estimated`.
+many files. What is not known is estimated: speed half a turn in a second (0.5 m/s for slides), full speed
+after 0.25 s, full acceleration after 0.1 s; an unknown effort is no limit. Each note names the joints that
+lack a limit and what is used instead; the model marks these numbers as `estimated`.
 
 Write the numbers of the data sheet into the file: cycle times follow from them.
 """,
@@ -179,6 +179,21 @@ texts and of dictionaries that change nothing, and the functions of mathematics;
 and no file is read but those inside of the given folders. The message names what is not carried out, such
 as `lambda`, `$(env ...)` or a pattern of several files. How deep macros call each other and how much they
 make is bounded (X981).
+""",
+)
+
+RANGE_UNKNOWN = define(
+    "X999",
+    "robot-range-unknown",
+    Severity.WARNING,
+    "a robot file says no range of a joint that turns, or one without width",
+    """
+A joint that turns has a lower and an upper limit, unless it is `continuous`. Exporters of CAD programs write
+0 for both where nobody has entered them, and some files leave the `limit` out. Such a joint is read as one
+that turns without end: postures are allowed that the real joint does not reach.
+
+Write the limits of the data sheet into the file. A joint that slides without limits, or with two that are
+the same, is an error (X982, X983).
 """,
 )
 

@@ -26,8 +26,8 @@ LOST_DRIVE = define(
     """
 URDF and MJCF know a joint with viscous and dry friction and a greatest effort; MJCF knows the inertia of
 a rotor at the joint too. Amplifiers, motor constants, gears that twist, and friction that differs
-between the two directions have no place there, and controllers and transmissions that such files carry
-for other programs have no place in the model. Geometry and rigid bodies are not touched by that.
+between the two directions have no place there; soft limits and calibrations of such files have no place in
+the model. Geometry and rigid bodies are not touched by that.
 """,
 )
 
@@ -38,10 +38,10 @@ LOST_DESCRIPTION = define(
     "names, looks or remarks do not go over; the robot moves and weighs the same",
     """
 What stands in no place of the other side: names of links and of frames that are fixed to them, collision
-geometry beside what is drawn, textures, sensors, elements for other programs; and from the model cones,
-bodies of revolution, outlines and lines, the title, where numbers come from, and the home position. What
-is fixed to a link becomes a part of it, with its weight and its shape. A robot without collision
-geometry is drawn by it, if it has nothing else.
+geometry beside what is drawn, textures, sensors, transmissions and other elements for other programs; and
+from the model cones, bodies of revolution, outlines and lines, the title, where numbers come from, and the
+home position. What is fixed to a link becomes a part of it, with its weight and its shape. A robot without
+visual geometry is drawn by its collision geometry. All of it is one finding, with a note on each loss.
 """,
 )
 
@@ -80,6 +80,6 @@ def losses_refused(read: Iterable[Diagnostic], written: Iterable[Diagnostic]) ->
         read: findings of reading the robot.
         written: losses of writing it.
     """
-    count = sum(one.code in LOSSES for one in read) + len(tuple(written))
+    count = sum(max(1, len(one.notes)) for one in read if one.code in LOSSES) + len(tuple(written))
     message = f"nothing is written, as {plural(count, 'thing')} would be lost"
     return LOSSES_REFUSED.at(None, message, hint="NIROX (`.stp`) holds all of the model") if count else None

@@ -3,11 +3,12 @@
 from collections.abc import Iterable, Mapping
 
 from ropsim.core import Diagnostic, Kind, Severity, Span, frozen_dataclass, near
+from ropsim.exchange.losses.gathered import Gathered, Topic
+from ropsim.exchange.losses.names import shown
 
 MOST_NOTES = 100
 """Numbers of errors and of other findings that are kept: files with more are not mended one by one."""
 _LONGEST = 400  # characters of a message: names are as long as their file has them
-_NAMED = 6  # number of entities named in a message
 
 
 @frozen_dataclass
@@ -27,6 +28,7 @@ class Notes:
         self._found: list[Diagnostic] = []
         self._counts = {Severity.ERROR: 0, Severity.WARNING: 0, Severity.HINT: 0}
         self._absent: dict[tuple[Kind, str], _Absent] = {}
+        self._gathered: dict[Kind, Gathered] = {}
 
     @property
     def found(self) -> tuple[Diagnostic, ...]:
@@ -34,6 +36,7 @@ class Notes:
         found = [
             *self._found,
             *(_absence(kind, folder, absent) for (kind, folder), absent in self._absent.items()),
+            *(one.finding() for one in self._gathered.values()),
         ]
         files = list(dict.fromkeys(one.span.source for one in found if one.span))
         return tuple(sorted(found, key=lambda one: (not one.is_error, *_place(one, files))))
@@ -62,6 +65,18 @@ class Notes:
         if self._counts[finding.severity] <= MOST_NOTES:
             self._found.append(finding)
 
+    def gather(self, topic: Topic, span: Span | None, names: Iterable[str] = (), detail: str = "") -> None:
+        """Note elements that have a loss or lack; all topics of one kind become one finding.
+
+        Args:
+            topic: the loss or lack.
+            span: of the first element; the finding has the first place that is given.
+            names: of the elements.
+            detail: figures of the first element.
+        """
+        one = self._gathered.setdefault(topic.kind, Gathered(topic.kind, span))
+        one.add(topic, names, detail)
+
     def absent(self, kind: Kind, folder: str, span: Span, mesh: str, why: str, hint: str) -> None:
         """Note a mesh that is missing; missing meshes of one folder become one finding with their number.
 
@@ -81,19 +96,6 @@ class Notes:
         close = near(name, known) if self._counts[kind.severity] < MOST_NOTES else ()
         hint = f"did you mean `{close[0]}`?" if close else "allowed are the names that the file defines"
         self.add(kind, span, f"{what} `{shown(name)}`, which does not exist", hint, {"near": close})
-
-
-def shown(text: str) -> str:
-    """Return a text of the file in the form quoted in a message: on one line, and not too long."""
-    line = " ".join(text.split())
-    return line if len(line) <= 60 else line[:57] + "..."
-
-
-def listed(names: Iterable[str]) -> str:
-    """Return names in words: the first few, and how many more."""
-    unique = list(dict.fromkeys(names))
-    words = ", ".join(f"`{shown(name)}`" for name in unique[:_NAMED])
-    return words + (f" and {len(unique) - _NAMED} more" if len(unique) > _NAMED else "")
 
 
 def _place(one: Diagnostic, files: list[str]) -> tuple[int, int, int]:

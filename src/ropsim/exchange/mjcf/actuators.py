@@ -6,9 +6,12 @@ from dataclasses import replace
 from ropsim.exchange.assembly.description import Connection, Motion
 from ropsim.exchange.files.values import numbers_of
 from ropsim.exchange.files.xml_tree import Element
+from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_DRIVE
-from ropsim.exchange.losses.notes import Notes, listed
+from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.mjcf.settings import MAIN, Settings
+
+_AS_MOTORS = Topic(LOST_DRIVE, "control of actuators", "actuators {} go over as sources of effort")
 
 
 def axis_names(connections: Iterable[Connection], root: Element) -> tuple[str, ...]:
@@ -33,9 +36,7 @@ def driven(
         if most:
             efforts.setdefault(name, most)
     if others:
-        names = listed(one.name for one in others)
-        words = f"actuators {names} go over as sources of effort ({len(others)} of them)"
-        notes.add(LOST_DRIVE, others[0].span, words)
+        notes.gather(_AS_MOTORS, others[0].span, (one.name for one in others))
     return tuple(
         replace(one, limits=replace(one.limits, effort=one.limits.effort or efforts.get(one.name)))
         for one in connections

@@ -10,8 +10,9 @@ from ropsim.exchange.files.names import link_name
 from ropsim.exchange.files.values import number_of, numbers_of
 from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.diagnostics import BAD_NUMBER, DOUBTFUL_BODY, ELEMENT_MISSING
+from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_MOTION
-from ropsim.exchange.losses.notes import Notes, listed
+from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.mjcf.geoms import Assets, Geometry, drawn, geometry_of
 from ropsim.exchange.mjcf.joints import anchor_of, connection_of, is_free
 from ropsim.exchange.mjcf.poses import pose_of
@@ -22,6 +23,19 @@ from ropsim.spatial import Pose
 WORLD = "world"
 _KNOWN = {"body", "joint", "freejoint", "geom", "site", "inertial", "frame"}
 _SILENT = {"light", "camera"}
+_OTHERS = Topic(LOST_DESCRIPTION, "elements of bodies", "elements {} of bodies do not go over")
+_FREE = Topic(
+    LOST_MOTION,
+    "free bodies",
+    "bodies {} move about freely and are left out",
+    "parts of a cell stand in its own file",
+)
+_MESH_WEIGHT = Topic(
+    DOUBTFUL_BODY,
+    "weights of meshes",
+    "bodies {} have the weight of a mesh, which is not computed",
+    "write an inertial with its mass into them",
+)
 
 
 class BodyReader:
@@ -53,11 +67,9 @@ class BodyReader:
             ]
             waiting += reversed(children)
         if self._others:
-            words = f"elements {listed(self._others)} of bodies do not go over"
-            self._notes.add(LOST_DESCRIPTION, next(iter(self._others.values())).span, words)
+            self._notes.gather(_OTHERS, next(iter(self._others.values())).span, self._others)
         if self.free:
-            words = f"bodies {listed(self.free)} move about freely and are left out"
-            self._notes.add(LOST_MOTION, world.span, words, "parts of a cell stand in its own file")
+            self._notes.gather(_FREE, world.span, self.free)
 
     def _leave(self, element: Element) -> None:
         self.free.append(element.attributes.get("name", "without a name"))
@@ -134,9 +146,7 @@ class BodyReader:
         if by == "false" or element.name == "worldbody":
             return Payload()
         if any(one.weight is None for one in geometry):
-            words = f"body `{name}` has the weight of a mesh, which is not computed"
-            hint = "write an inertial with its mass into it"
-            self._notes.add(DOUBTFUL_BODY, element.span, words, hint)
+            self._notes.gather(_MESH_WEIGHT, element.span, [name])
         return combine(tuple(one.weight for one in geometry if one.weight))
 
 

@@ -7,8 +7,16 @@ from ropsim.exchange.assembly.description import Connection, Following
 from ropsim.exchange.files.values import name_of, numbers_of
 from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.diagnostics import UNKNOWN_ENTITY
+from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_MOTION
-from ropsim.exchange.losses.notes import Notes, listed
+from ropsim.exchange.losses.notes import Notes
+
+_OTHERS = Topic(LOST_MOTION, "constraints", "constraints {} do not go over")
+_CURVED = Topic(
+    LOST_MOTION,
+    "polynomials",
+    "joints {} follow by a polynomial: what is not linear in it does not go over",
+)
 
 
 def coupled(connections: Sequence[Connection], root: Element, notes: Notes) -> tuple[Connection, ...]:
@@ -31,8 +39,7 @@ def coupled(connections: Sequence[Connection], root: Element, notes: Notes) -> t
         else:
             held[name] = _following(one, found[name], found, notes)
     if others:
-        words = f"constraints {listed(one.name for one in others)} do not go over ({len(others)} of them)"
-        notes.add(LOST_MOTION, others[0].span, words)
+        notes.gather(_OTHERS, others[0].span, (one.name for one in others))
     return tuple(replace(one, following=held.get(one.name)) for one in connections)
 
 
@@ -41,8 +48,7 @@ def _following(
 ) -> Following | None:
     a0, a1, *higher = numbers_of(constraint, "polycoef", notes, (0.0, 1.0, 0.0, 0.0, 0.0), least=2)
     if any(higher):
-        words = f"joint `{follower.name}` follows by a polynomial: what is not linear in it does not go over"
-        notes.add(LOST_MOTION, constraint.span, words)
+        notes.gather(_CURVED, constraint.span, [follower.name])
     other = constraint.attributes.get("joint2", "").strip()
     if not other:
         return Following((), follower.zero + a0)

@@ -10,8 +10,9 @@ from ropsim.exchange.files.read_mesh import mesh_of
 from ropsim.exchange.files.values import number_of, numbers_of
 from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.diagnostics import BAD_NUMBER, UNKNOWN_ENTITY
+from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
-from ropsim.exchange.losses.notes import Notes, shown
+from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.mjcf.poses import from_z, pose_of
 from ropsim.exchange.mjcf.settings import Settings
 from ropsim.exchange.mjcf.weights import weight_of
@@ -19,6 +20,12 @@ from ropsim.model import LIGHT_GREY, Box, Cylinder, Mesh, Payload, Shape, Solid,
 from ropsim.spatial import Pose
 
 _COUNTS = {"sphere": 1, "capsule": 2, "cylinder": 2, "ellipsoid": 3, "box": 3}
+_UNDRAWN = Topic(
+    LOST_DESCRIPTION,
+    "other geometry",
+    "geometry of types {} is not drawn",
+    "drawn are boxes, spheres, cylinders, capsules and meshes",
+)
 _SMALLEST = 1e-9  # m, of a measure
 _COLLIDING = 3  # from this group on geometry is not drawn where there is other, as models of MuJoCo do it
 
@@ -89,8 +96,7 @@ def geometry_of(
         return Geometry(_mesh_shapes(geom, X, settings, assets, folder, notes), None, group)
     if kind not in _COUNTS:
         if kind != "plane":
-            words = f"a geometry of type `{shown(kind)}` is not drawn"
-            notes.add(LOST_DESCRIPTION, geom.span, words, f"drawn are {', '.join(_COUNTS)} and mesh")
+            notes.gather(_UNDRAWN, geom.span, [kind])
         return Geometry((), Payload(), group)
     size, X = _sized(geom, kind, X, notes)
     if min(size) < _SMALLEST:
@@ -100,7 +106,7 @@ def geometry_of(
     colour, opacity = _colour(geom, assets, notes)
     solids = _solids(kind, size)
     if not solids:
-        notes.add(LOST_DESCRIPTION, geom.span, "an ellipsoid is not drawn", "make a mesh of it")
+        notes.gather(_UNDRAWN, geom.span, [kind])
     shapes = tuple(Shape(solid, X @ at, colour, opacity) for solid, at in solids)
     return Geometry(shapes, weight_of(geom, kind, size, X, notes), group)
 

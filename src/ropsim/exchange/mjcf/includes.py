@@ -6,7 +6,8 @@ from ropsim.core import SourceText, Span
 from ropsim.exchange.files.folder import RobotFolder
 from ropsim.exchange.files.xml_tree import MOST_DEPTH, MOST_ELEMENTS, Element, read_xml
 from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING, XML_REFUSED
-from ropsim.exchange.losses.notes import Notes, shown
+from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.notes import Notes
 
 MOST_FILES = 50
 """Maximum number of included files, each once, as in MuJoCo."""

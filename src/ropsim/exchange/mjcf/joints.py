@@ -10,12 +10,18 @@ from ropsim.exchange.assembly.joint_limits import UNSAID, WITHOUT_END
 from ropsim.exchange.files.values import direction_of, number_of, numbers_of
 from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.diagnostics import BAD_NUMBER, JOINT_IMPOSSIBLE
+from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_MOTION
-from ropsim.exchange.losses.notes import Notes, shown
+from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.mjcf.settings import Settings
 from ropsim.spatial import Pose
 
 _FREE = Limits(-WITHOUT_END, WITHOUT_END)
+_SPRING = Topic(LOST_MOTION, "springs", "the springs of joints {} do not go over")
+_DAMPING = Topic(
+    LOST_MOTION, "damping that grows", "damping that grows with the speed does not go over, of joints {}"
+)
 _MOTIONS = {"hinge": Motion.TURN, "slide": Motion.SLIDE}
 
 
@@ -48,7 +54,7 @@ def connection_of(
     )
     unit = settings.angle if made.motion is Motion.TURN else 1.0
     if number_of(joint, "stiffness", notes):
-        notes.add(LOST_MOTION, joint.span, f"the spring of joint `{name}` does not go over")
+        notes.gather(_SPRING, joint.span, [name])
     return replace(
         made,
         axis=direction_of(joint, "axis", notes, (0.0, 0.0, 1.0)),
@@ -72,7 +78,7 @@ def _limits(
     if not limited:
         return replace(UNSAID if motion is Motion.SLIDE else _FREE, effort=effort)
     lower, upper = (unit * value for value in numbers_of(joint, "range", notes, (0.0, 0.0)))
-    if not lower < upper:
+    if lower > upper:
         words = f"joint `{name}` has the lower limit {lower:g} and the upper limit {upper:g} [rad, m]"
         notes.add(BAD_NUMBER, joint.span, words, "the lower limit must be the smaller number")
         return _FREE
@@ -90,8 +96,7 @@ def _most(element: Element, key: str, notes: Notes) -> float | None:
 def _resistance(joint: Element, name: str, notes: Notes) -> Resistance:
     viscous, *rest = numbers_of(joint, "damping", notes, (0.0, 0.0, 0.0), least=1)
     if any(rest):
-        words = f"damping of joint `{name}` that grows with the speed does not go over"
-        notes.add(LOST_MOTION, joint.span, words)
+        notes.gather(_DAMPING, joint.span, [name])
     dry, rotor = number_of(joint, "frictionloss", notes), number_of(joint, "armature", notes)
     if min(viscous, dry, rotor) < 0.0:
         words = f"friction or armature of joint `{name}` is negative"

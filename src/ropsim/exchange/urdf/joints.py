@@ -7,8 +7,10 @@ from ropsim.exchange.assembly.joint_limits import UNSAID, WITHOUT_END
 from ropsim.exchange.files.values import direction_of, name_of, number_of
 from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.diagnostics import BAD_NUMBER, ELEMENT_MISSING, JOINT_IMPOSSIBLE
+from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_DRIVE
-from ropsim.exchange.losses.notes import Notes, shown
+from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.urdf.poses import origin_of
 
 MOTIONS = {
@@ -21,6 +23,10 @@ _REFUSED = {
     "floating": "lets its child move about freely: an arm stands on its base",
     "planar": "has three freedoms that no single drive moves",
 }
+_LOST = tuple(
+    Topic(LOST_DRIVE, key, f"the `{key}` of joints {{}} does not go over")
+    for key in ("calibration", "safety_controller")
+)
 _FREE = Limits(-WITHOUT_END, WITHOUT_END)
 
 
@@ -64,7 +70,7 @@ def _limits(joint: Element, kind: str, notes: Notes) -> Limits:
     lower, upper = number_of(limit, "lower", notes), number_of(limit, "upper", notes)
     if kind == "continuous":
         lower, upper = _FREE.lower, _FREE.upper
-    elif not lower < upper:
+    elif lower > upper:
         unit = "m" if kind == "prismatic" else "rad"
         words = f"joint `{name}` has the lower limit {lower:g} {unit} and the upper limit {upper:g} {unit}"
         notes.add(BAD_NUMBER, limit.span, words, "the lower limit must be the smaller number")
@@ -105,8 +111,7 @@ def _following(joint: Element, notes: Notes) -> Following | None:
 
 def lost_of(joint: Element, notes: Notes) -> None:
     """Note the losses of a joint."""
-    for key in ("calibration", "safety_controller"):
-        element = joint.first(key)
+    for topic in _LOST:
+        element = joint.first(topic.what)
         if element is not None:
-            words = f"the `{key}` of joint `{shown(joint.attributes.get('name', ''))}` does not go over"
-            notes.add(LOST_DRIVE, element.span, words)
+            notes.gather(topic, element.span, [joint.attributes.get("name", "")])

@@ -7,10 +7,28 @@ from ropsim.exchange.files.read_mesh import mesh_of
 from ropsim.exchange.files.values import name_of, number_of, numbers_of
 from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.diagnostics import BAD_NUMBER, ELEMENT_MISSING
+from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
 from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.urdf.poses import origin_of
 from ropsim.model import LIGHT_GREY, Box, Cylinder, Shape, Solid, Sphere
+
+_MEASURES = {"box": ("size",), "cylinder": ("radius", "length"), "sphere": ("radius",)}
+_TEXTURE = Topic(
+    LOST_DESCRIPTION, "textures", "the textures of materials {} are not drawn", "give the materials a colour"
+)
+_UNDRAWN = Topic(
+    LOST_DESCRIPTION,
+    "other geometry",
+    f"geometry {{}} is not drawn, drawn are {', '.join((*_MEASURES, 'mesh'))}",
+    "use one of these",
+)
+_FLAT = Topic(
+    LOST_DESCRIPTION,
+    "geometry without extent",
+    "geometry {} without extent is not drawn",
+    "take it out where it stands for nothing",
+)
 
 Colour = tuple[str, float]
 """`#rrggbb` and the opacity."""
@@ -63,7 +81,7 @@ def _look(part: Element, materials: Mapping[str, Colour], notes: Notes) -> Colou
     if material is None:
         return LIGHT_GREY, 1.0
     if material.first("texture") is not None:
-        notes.add(LOST_DESCRIPTION, material.span, "a texture is not drawn", "give the material a colour")
+        notes.gather(_TEXTURE, material.span, [material.attributes.get("name", "")])
     own = _colour(material, notes) if material.first("color") else None
     return own or materials.get(material.attributes.get("name", ""), (LIGHT_GREY, 1.0))
 
@@ -88,8 +106,7 @@ def _solid(part: Element, folder: RobotFolder, notes: Notes) -> Solid | None:
         scale = numbers_of(element, "scale", notes, (1.0, 1.0, 1.0))
         return mesh_of(name, scale, folder, element.span, notes) if name else None
     if element.name not in _MEASURES:
-        words = f"a geometry `{element.name}` is not drawn, drawn are {', '.join((*_MEASURES, 'mesh'))}"
-        notes.add(LOST_DESCRIPTION, element.span, words, "use one of these")
+        notes.gather(_UNDRAWN, element.span, [element.name])
         return None
     missing = [key for key in _MEASURES[element.name] if key not in element.attributes]
     if missing:
@@ -106,15 +123,11 @@ def _solid(part: Element, folder: RobotFolder, notes: Notes) -> Solid | None:
     return Sphere(radius) if element.name == "sphere" else Cylinder(radius, length)
 
 
-_MEASURES = {"box": ("size",), "cylinder": ("radius", "length"), "sphere": ("radius",)}
-
-
 def _positive(element: Element, values: tuple[float, ...], notes: Notes) -> bool:
     if all(value > 0.0 for value in values):
         return True
     if min(values) == 0.0:
-        words = f"`{element.name}` has no extent, and is not drawn"
-        notes.add(LOST_DESCRIPTION, element.span, words, "take it out where it stands for nothing")
+        notes.gather(_FLAT, element.span, [element.name])
         return False
     words = f"a measure of `{element.name}` is {min(values):g} m, allowed are positive numbers"
     notes.add(BAD_NUMBER, element.span, words, "give its measures in metres")

@@ -8,7 +8,8 @@ from ropsim.core import SourceText, Span
 from ropsim.exchange.files.folder import ReadOptions
 from ropsim.exchange.files.xml_tree import Element, read_xml
 from ropsim.exchange.losses.diagnostics import XACRO
-from ropsim.exchange.losses.notes import Notes, shown
+from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.xacro.calls import Calls
 from ropsim.exchange.xacro.formulas.values import XacroError, literal, truth
 from ropsim.exchange.xacro.scope import IncludedScope, Scope

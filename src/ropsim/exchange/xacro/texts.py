@@ -3,7 +3,8 @@
 from ropsim.exchange.files.folder import ReadOptions
 from ropsim.exchange.files.xml_tree import MOST_ELEMENTS, Element
 from ropsim.exchange.losses.diagnostics import XACRO_MESSAGE
-from ropsim.exchange.losses.notes import Notes, shown
+from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.xacro.formulas.values import Value, XacroError
 from ropsim.exchange.xacro.scope import Scope
 from ropsim.exchange.xacro.substitution import text_of, value_of_text

@@ -1,0 +1,59 @@
+"""Findings of one kind become one finding: losses and lacks that a file has at many links and joints."""
+
+from collections.abc import Iterable, Mapping
+
+from ropsim.core import Diagnostic, Kind, Span, frozen_dataclass
+from ropsim.exchange.losses.names import listed
+
+_FEW = 3  # topics of which two names are in the message, one otherwise
+
+
+@frozen_dataclass
+class Topic:
+    """A loss or lack that many elements of a file can have.
+
+    Attributes:
+        kind: of the finding; topics of one kind become one finding.
+        what: noun for it, as in a list of topics.
+        words: a sentence on it, with `{}` for the names of the elements.
+        hint: next action.
+    """
+
+    kind: Kind
+    what: str
+    words: str
+    hint: str = ""
+
+
+class Gathered:
+    """Topics of one kind, with the names of their elements in order."""
+
+    def __init__(self, kind: Kind, span: Span | None) -> None:
+        self._kind, self._span = kind, span
+        self._names: dict[Topic, dict[str, None]] = {}
+        self._details: dict[Topic, str] = {}
+
+    def add(self, topic: Topic, names: Iterable[str], detail: str) -> None:
+        """Add elements to a topic; the detail of the first ones is kept."""
+        self._names.setdefault(topic, {}).update(dict.fromkeys(names))
+        self._details.setdefault(topic, detail)
+
+    def finding(self) -> Diagnostic:
+        """Return the finding: the sentence of the only topic, or the topics in a row with a note on each."""
+        data: Mapping[str, object] = {topic.what: tuple(names) for topic, names in self._names.items()}
+        sentences = [self._sentence(topic) for topic in self._names]
+        hint = next((topic.hint for topic in self._names if topic.hint), "")
+        if len(sentences) == 1:
+            return self._kind.at(self._span, sentences[0], hint=hint, data=data)
+        most = 2 if len(sentences) <= _FEW else 1
+        parts = [
+            f"{topic.what} ({listed(names, most)})" if names else topic.what
+            for topic, names in self._names.items()
+        ]
+        message = f"{self._kind.summary}: {', '.join(parts)}"
+        return self._kind.at(self._span, message, hint=hint, notes=tuple(sentences), data=data)
+
+    def _sentence(self, topic: Topic) -> str:
+        sentence = topic.words.replace("{}", listed(self._names[topic]), 1)
+        detail = self._details[topic]
+        return f"{sentence}: {detail}" if detail else sentence
