@@ -15,6 +15,14 @@ CUBE_FACES = (
 """Twelve triangles of the unit cube, counter-clockwise from outside."""
 
 
+_VERTICES = '<input semantic="VERTEX" source="#corners" offset="0"/>'
+TRIANGLES = f'<triangles count="1" material="m">{_VERTICES}<p>0 4 2 4 6 2</p></triangles>'
+"""The side z = 0 of a unit cube, for `collada`."""
+POLYLIST = f'<polylist count="1">{_VERTICES}<vcount>4</vcount><p>0 4 6 2</p></polylist>'
+STRIP = f'<tristrips count="1">{_VERTICES}<p>0 4 2 6</p></tristrips>'
+NODE = '<node><instance_geometry url="#g"/></node>'
+
+
 def cube_soup(size: float = 1.0) -> Array:
     """Return the corners of the triangles of a cube with one corner at the origin, shape (12, 3, 3)."""
     return np.asarray(size * CUBE_CORNERS[np.array(CUBE_FACES)])
@@ -85,3 +93,26 @@ def glb_container(document: object, body: bytes) -> bytes:
     size = 12 + 8 + len(text) + 8 + len(body)
     parts = [struct.pack("<4sII", b"glTF", 2, size), struct.pack("<I4s", len(text), b"JSON"), text]
     return b"".join([*parts, struct.pack("<I4s", len(body), b"BIN\0"), body])
+
+
+def collada(shapes: str = TRIANGLES, nodes: str = NODE, more: str = "", unit: str = "1") -> bytes:
+    """Return a COLLADA file whose geometry `g` has the corners of a unit cube, 0 to 1, as points.
+
+    Args:
+        shapes: elements that use the points.
+        nodes: of the scene.
+        more: further libraries.
+        unit: metres per unit of the file.
+    """
+    points = " ".join(f"{x} {y} {z}" for x in (0, 1) for y in (0, 1) for z in (0, 1))
+    return (
+        '<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">'
+        f'<asset><unit meter="{unit}"/><up_axis>Z_UP</up_axis></asset>'
+        '<library_geometries><geometry id="g"><mesh><source id="points">'
+        f'<float_array id="numbers" count="24">{points}</float_array><technique_common>'
+        '<accessor source="#numbers" count="8" stride="3"/></technique_common></source>'
+        '<vertices id="corners"><input semantic="POSITION" source="#points"/></vertices>'
+        f"{shapes}</mesh></geometry></library_geometries>{more}"
+        f'<library_visual_scenes><visual_scene id="s">{nodes}</visual_scene></library_visual_scenes>'
+        '<scene><instance_visual_scene url="#s"/></scene></COLLADA>'
+    ).encode()

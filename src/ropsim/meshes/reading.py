@@ -40,6 +40,12 @@ def _read_glb(content: bytes) -> Soup:
     return read_glb(content)
 
 
+def _read_collada(content: bytes) -> Soup:
+    from ropsim.meshes.formats.collada import read_collada
+
+    return read_collada(content)
+
+
 def _as_they_are(colours: Colours) -> Colours:
     return colours
 
@@ -56,6 +62,7 @@ MESH_FORMATS: Mapping[str, MeshFormat] = MappingProxyType(
         ".obj": MeshFormat(read_obj, 1e-3, _as_on_screens),
         ".ply": MeshFormat(read_ply, 1e-3, _as_on_screens),
         ".glb": MeshFormat(_read_glb, 1.0, _as_they_are),
+        ".dae": MeshFormat(_read_collada, 1.0, _as_on_screens),
     }
 )
 """Readers by the ending of the file: each of `ropsim.model.MESH_ENDINGS`, in that order."""

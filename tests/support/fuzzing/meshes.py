@@ -14,7 +14,19 @@ from ropsim.model import Mesh
 from support.fuzzing.mutation import BYTES, TEXT, changed_value, mutated
 from support.fuzzing.target import Target
 from support.fuzzing.values import DEPTHS
-from support.meshes import cube_soup, drum, glb_container, obj, ply, ply_binary, stl, stl_text
+from support.meshes import (
+    POLYLIST,
+    STRIP,
+    collada,
+    cube_soup,
+    drum,
+    glb_container,
+    obj,
+    ply,
+    ply_binary,
+    stl,
+    stl_text,
+)
 
 _POLYGONS = (
     b"o a\nusemtl b\nv 0 0 0 1 0.5 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 3/1 4\n"
@@ -82,6 +94,14 @@ _TEXT_STLS = (stl_text(cube_soup()), stl_text(drum(3)))
 _OBJS = (obj(), _POLYGONS)
 _TEXT_PLYS = (ply(), ply(colours="1 2 3"), _TEXTURED)
 _PLYS = (ply_binary(cube_soup(), "<"), ply_binary(cube_soup(), ">"), _uneven("<"))
+_COLLADAS = (
+    collada(),
+    collada(POLYLIST + STRIP),
+    collada(
+        nodes='<node id="n"><matrix>1 0 0 1 0 1 0 2 0 0 1 3 0 0 0 1</matrix><scale>1 -1 2</scale>'
+        '<instance_geometry url="#g"/><instance_node url="#n"/></node>'
+    ),
+)
 _GLBS = (glb_bytes(shaded(cube_soup())), glb_container(_GLB, _GLB_BODY))
 
 
@@ -134,6 +154,14 @@ def _glb(random: Random) -> bytes:
     return mutated(random, content, TEXT) if random.random() < 0.1 else content
 
 
+def _collada(random: Random) -> bytes:
+    content = random.choice(_COLLADAS)
+    if random.random() < 0.1:
+        depth = random.choice((10, 100, 1000, 10_000))
+        content = content.replace(b"<node>", depth * b"<node>").replace(b"</node>", depth * b"</node>")
+    return mutated(random, content, (*TEXT, *BYTES[:4]))
+
+
 def _chain(depth: int) -> object:
     """Return a document with nodes one below the other."""
     nodes = [{"mesh": 0, "children": [k + 1]} for k in range(depth)]
@@ -145,4 +173,5 @@ TARGETS = (
     Target("obj", _obj, partial(_take, "a.obj")),
     Target("ply", _ply, partial(_take, "a.ply")),
     Target("glb", _glb, partial(_take, "a.glb")),
+    Target("dae", _collada, partial(_take, "a.dae")),
 )

@@ -6,7 +6,7 @@ from importlib import import_module
 from support.fuzzing.target import Target
 
 MODULES: Mapping[str, tuple[str, ...]] = {
-    "meshes": ("stl", "obj", "ply", "glb"),
+    "meshes": ("stl", "obj", "ply", "glb", "dae"),
     "texts": ("cell", "robot", "icr", "task", "form"),
     "binaries": ("icb",),
     "recordings": ("recording", "inputs"),

@@ -111,16 +111,16 @@ def test_looks_are_in_their_places_and_colours() -> None:
 
 
 def test_a_link_whose_visual_mesh_is_not_drawn_is_drawn_by_its_collision_geometry() -> None:
-    mesh = '<mesh filename="package://a/b.dae"/>'
+    mesh = '<mesh filename="package://a/b.fbx"/>'
     text = ARM.replace('<box size="0.1 0.1 0.4"/>', mesh)
     found = read_urdf(
         SourceText("arm.urdf", text), ReadOptions(folder=RobotFolder(packages={"a": "robots/a"}))
     )
     assert found.robot is not None
     assert Sphere(0.3) in [one.solid for one in found.robot.links[0].shapes]
-    assert any("b.dae" in one.message for one in found.findings if one.code == "X995")
+    assert any("b.fbx" in one.message for one in found.findings if one.code == "X995")
     stl = read_urdf(
-        SourceText("arm.urdf", text.replace(".dae", ".stl")),
+        SourceText("arm.urdf", text.replace(".fbx", ".stl")),
         ReadOptions(folder=RobotFolder(packages={"a": "x"})),
     )
     assert stl.robot is not None

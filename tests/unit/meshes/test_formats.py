@@ -12,6 +12,7 @@ import pytest
 
 from ropsim.meshes import MESH_FORMATS
 from ropsim.meshes.formats import MeshFileError, Soup, read_obj, read_ply, read_stl
+from ropsim.meshes.formats.collada import read_collada
 from ropsim.meshes.formats.glb import read_glb
 from ropsim.meshes.glb import glb_bytes
 from ropsim.meshes.reading import read_mesh
@@ -19,7 +20,7 @@ from ropsim.model import MESH_ENDINGS, Mesh
 from ropsim.spatial import Array
 from support.meshes import cube_soup, drum, glb_container, obj, ply, ply_binary, stl, stl_text
 
-READERS = {"stl": read_stl, "obj": read_obj, "ply": read_ply, "glb": read_glb}
+READERS = {"stl": read_stl, "obj": read_obj, "ply": read_ply, "glb": read_glb, "dae": read_collada}
 
 
 TURNED = np.array([[0.0, -1.0, 0.0, 0.5], [0.0, 0.0, -1.0, 0.2], [1.0, 0.0, 0.0, 0.1], [0.0, 0.0, 0.0, 1.0]])

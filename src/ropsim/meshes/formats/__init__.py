@@ -1,7 +1,8 @@
 """Readers of mesh formats: any bytes lead to corners of triangles or a finding, in bounded time and memory.
 
 Nothing here opens a file or an address: files that a mesh file refers to are not read. The reader of GLB is
-in `formats.glb`; it needs a JSON decoder, which projects without GLB do not wait for.
+in `formats.glb`, that of COLLADA in `formats.collada`; they need decoders of JSON and XML, which other
+projects do not wait for.
 """
 
 from ropsim.meshes.formats.obj import read_obj as read_obj

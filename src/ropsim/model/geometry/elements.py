@@ -101,7 +101,7 @@ class Polyline:
     points: tuple[Point3, ...]
 
 
-MESH_ENDINGS = (".stl", ".obj", ".ply", ".glb")
+MESH_ENDINGS = (".stl", ".obj", ".ply", ".glb", ".dae")
 """Endings of the mesh files that are drawn; `ropsim.meshes` has a reader for each."""
 
 
