@@ -7,10 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from ropsim.meshes import MESH_FORMATS
-from ropsim.meshes.formats import MeshFileError
-from ropsim.meshes.glb import glb_bytes
-from ropsim.meshes.reading import read_mesh
-from ropsim.meshes.triangles import shaded
+from ropsim.meshes.testing import MeshFileError, glb_bytes, read_mesh, shaded
 from ropsim.model import Mesh
 from support.examples import examples
 from support.meshes import cube_soup, obj, ply, stl, stl_text

@@ -5,7 +5,7 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from ropsim.exchange.writing.written_tree import written_tree
+from ropsim.exchange.testing import written_tree
 from ropsim.model import JointType, RobotModel
 from ropsim.spatial import Array
 

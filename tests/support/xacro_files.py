@@ -1,8 +1,6 @@
 """A file for expressions of xacro that stand in none: it has two arguments and keeps messages."""
 
-from ropsim.exchange.xacro.formulas.values import Value, XacroError
-from ropsim.exchange.xacro.scope import Scope
-from ropsim.exchange.xacro.substitution import value_of_text
+from ropsim.exchange.testing import Scope, Value, XacroError, value_of_text
 
 MOST = 1_000_000
 ARGUMENTS = {"side": "left", "count": "3"}

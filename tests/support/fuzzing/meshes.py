@@ -6,10 +6,7 @@ from random import Random
 
 import numpy as np
 
-from ropsim.meshes.formats import MOST_TRIANGLES, MeshFileError
-from ropsim.meshes.glb import glb_bytes
-from ropsim.meshes.reading import read_mesh
-from ropsim.meshes.triangles import shaded
+from ropsim.meshes.testing import MOST_TRIANGLES, MeshFileError, glb_bytes, read_mesh, shaded
 from ropsim.model import Mesh
 from support.fuzzing.mutation import BYTES, TEXT, changed_value, mutated
 from support.fuzzing.target import Target

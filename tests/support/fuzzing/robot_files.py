@@ -7,8 +7,7 @@ import numpy as np
 from ropsim import robots
 from ropsim.core import SourceText
 from ropsim.exchange import read_mjcf, read_urdf, write_mjcf, write_urdf
-from ropsim.exchange.xacro.formulas.values import XacroError, bounded
-from ropsim.exchange.xacro.yaml_values import yaml_value
+from ropsim.exchange.testing import XacroError, bounded, yaml_value
 from ropsim.kinematics import forward
 from ropsim.model import ReadRobot, audit, mechanism_findings
 from ropsim.views import Style, diagnostics_text

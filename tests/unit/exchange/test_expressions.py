@@ -4,10 +4,7 @@ import math
 
 import pytest
 
-from ropsim.exchange.xacro.formulas.evaluation import value_of
-from ropsim.exchange.xacro.formulas.values import Value, XacroError, literal, truth
-from ropsim.exchange.xacro.scope import Scope
-from ropsim.exchange.xacro.substitution import text_of
+from ropsim.exchange.testing import Scope, Value, XacroError, literal, text_of, truth, value_of
 from support.xacro_files import LooseFile
 
 NAMES: dict[str, Value] = {"a": 2, "b": 0.5, "s": "left", "l": [1, [2, 3]], "d": {"x": 1.5, "deep": {"y": 2}}}

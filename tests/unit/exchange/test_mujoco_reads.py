@@ -9,7 +9,7 @@ from ropsim import robots
 from ropsim.core import SourceText
 from ropsim.dynamics import mass_matrix, rigid_inverse_dynamics
 from ropsim.exchange import read_mjcf, write_mjcf, write_urdf
-from ropsim.exchange.writing.write_losses import friction_at_joint, rotor_at_joint
+from ropsim.exchange.testing import friction_at_joint, rotor_at_joint
 from ropsim.kinematics import forward
 from ropsim.model import RobotModel
 from support.exchange_laws import random_chain

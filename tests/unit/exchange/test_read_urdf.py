@@ -9,7 +9,7 @@ import pytest
 
 from ropsim.core import SourceText
 from ropsim.exchange import ReadOptions, RobotFolder, read_urdf
-from ropsim.exchange.assembly.joint_limits import WITHOUT_END
+from ropsim.exchange.testing import WITHOUT_END
 from ropsim.kinematics import forward
 from ropsim.model import Box, Cylinder, Mesh, RobotModel, Sphere
 from support.urdf_texts import ARM

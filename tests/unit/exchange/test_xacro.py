@@ -6,9 +6,7 @@ import pytest
 
 from ropsim.core import SourceText
 from ropsim.exchange import ReadOptions, RobotFolder, read_urdf
-from ropsim.exchange.files.xml_tree import read_xml
-from ropsim.exchange.losses.notes import Notes
-from ropsim.exchange.xacro.expansion import expanded
+from ropsim.exchange.testing import Notes, expanded, read_xml
 from ropsim.model import Mesh, ReadRobot, RobotModel
 from support.exchange_laws import differences
 from support.urdf_texts import MACROS, SPELLINGS

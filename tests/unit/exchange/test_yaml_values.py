@@ -7,8 +7,7 @@ import pytest
 
 from ropsim.core import SourceText
 from ropsim.exchange import ReadOptions, RobotFolder, read_urdf
-from ropsim.exchange.xacro.formulas.values import Value, XacroError
-from ropsim.exchange.xacro.yaml_values import yaml_value
+from ropsim.exchange.testing import Value, XacroError, yaml_value
 from support.urdf_texts import LIMITS
 
 

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from ropsim.meshes.formats import UNCOLOURED, MeshFileError, Soup
-from ropsim.meshes.formats.collada import read_collada
+from ropsim.meshes.testing import UNCOLOURED, MeshFileError, Soup, read_collada
 from ropsim.spatial import Array
 from support.meshes import NODE, POLYLIST, STRIP, TRIANGLES, collada
 
@@ -25,7 +24,8 @@ BOUND = NODE.replace(
 def area(soup: Soup) -> Array:
     """Return the sum of the area vectors: size and side of a flat surface."""
     corners = soup.corners
-    return np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]).sum(axis=0) / 2.0
+    found = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]).sum(axis=0) / 2.0
+    return np.asarray(found)
 
 
 def test_triangles_of_every_kind_cover_the_same_side() -> None:

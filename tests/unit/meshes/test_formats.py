@@ -11,11 +11,17 @@ import numpy as np
 import pytest
 
 from ropsim.meshes import MESH_FORMATS
-from ropsim.meshes.formats import MeshFileError, Soup, read_obj, read_ply, read_stl
-from ropsim.meshes.formats.collada import read_collada
-from ropsim.meshes.formats.glb import read_glb
-from ropsim.meshes.glb import glb_bytes
-from ropsim.meshes.reading import read_mesh
+from ropsim.meshes.testing import (
+    MeshFileError,
+    Soup,
+    glb_bytes,
+    read_collada,
+    read_glb,
+    read_mesh,
+    read_obj,
+    read_ply,
+    read_stl,
+)
 from ropsim.model import MESH_ENDINGS, Mesh
 from ropsim.spatial import Array
 from support.meshes import cube_soup, drum, glb_container, obj, ply, ply_binary, stl, stl_text

@@ -17,7 +17,7 @@ from ropsim.cellfile import mesh_in_files, read_cell
 from ropsim.core import SourceText
 from ropsim.meshes import MeshLibrary, glb, load_meshes
 from ropsim.meshes import library as meshes
-from ropsim.meshes.triangles import shaded
+from ropsim.meshes.testing import shaded
 from ropsim.model import Cell, FixedObject, Mesh, Shape
 from ropsim.spatial import Pose
 from ropsim.views import scene

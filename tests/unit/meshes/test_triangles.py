@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ropsim.meshes.triangles import shaded
+from ropsim.meshes.testing import shaded
 from support.meshes import cube_soup, drum
 
 GRID = 2e-4  # normals are rounded to 1/8192

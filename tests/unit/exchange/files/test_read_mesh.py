@@ -4,8 +4,7 @@ import pytest
 
 from ropsim.core import Span
 from ropsim.exchange import RobotFolder
-from ropsim.exchange.files.read_mesh import mesh_of
-from ropsim.exchange.losses.notes import Notes
+from ropsim.exchange.testing import Notes, mesh_of
 from ropsim.model import MESH_ENDINGS, Mesh
 
 PLACE = Span("arm.urdf", 1, 1, 1, 2)

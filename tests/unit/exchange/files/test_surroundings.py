@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from ropsim.exchange import around_file, in_project
-from ropsim.exchange.files.packages import MOST_DEPTH, MOST_FOLDERS
+from ropsim.exchange.testing import MOST_DEPTH, MOST_FOLDERS
 
 
 def package(folder: Path, name: str, **files: str) -> Path:

@@ -1,10 +1,17 @@
 """XML of strangers: bounded, without entities, every element with its place."""
 
 from ropsim.core import SourceText
-from ropsim.exchange.files.xml_tree import MOST_ATTRIBUTE, MOST_DEPTH, MOST_ELEMENTS, Element, read_xml
-from ropsim.exchange.losses.diagnostics import NOT_XML
-from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
-from ropsim.exchange.losses.notes import MOST_NOTES, Notes
+from ropsim.exchange.files.xml_tree import MOST_DEPTH
+from ropsim.exchange.testing import (
+    LOST_DESCRIPTION,
+    MOST_ATTRIBUTE,
+    MOST_ELEMENTS,
+    MOST_NOTES,
+    NOT_XML,
+    Element,
+    Notes,
+    read_xml,
+)
 
 BOMB = """<?xml version="1.0"?>
 <!DOCTYPE lolz [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;&a;">]>
