@@ -29,8 +29,9 @@ coordinates are eigenvalues of a matrix, all branches are found, and only names 
 (**general seven-axis**), for each value of one joint that is held.
 
 Any other arm is solved numerically from many starting points: each answer is checked like every other one,
-but there may be further ones that were not found, and they have no names such as `left-up-flip`. A move
-keeps to the answer nearest to where the arm stands.
+but there may be further ones that were not found, and they have no names such as `left-up-flip`. Where
+answers are beyond joint limits only, a second search keeps to the limits. A move keeps to the answer nearest
+to where the arm stands; a pose without an answer was not found (M581), not proven to be out of reach.
 """,
 )
 

@@ -146,7 +146,7 @@ def branches_near(robot: RobotModel, pose: Pose, near: Array) -> Array | None:
     """
     desk = _desk(robot)
     if robot.external or desk.redundant is not None:
-        found = inverse(robot, pose, IkOptions(Limits.IGNORE, near=near))
+        found = inverse(robot, pose, IkOptions(near=near))
         return None if found.shortfall else found.branches
     one = desk.sheet()
     pose.write_matrix(one.X_BM)

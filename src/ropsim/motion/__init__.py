@@ -38,6 +38,7 @@ from ropsim.motion.diagnostics import MOVE_TOO_LONG as MOVE_TOO_LONG
 from ropsim.motion.diagnostics import NO_ARM as NO_ARM
 from ropsim.motion.diagnostics import OUT_OF_REACH as OUT_OF_REACH
 from ropsim.motion.diagnostics import OUT_OF_TASK_SPACE as OUT_OF_TASK_SPACE
+from ropsim.motion.diagnostics import POSE_NOT_FOUND as POSE_NOT_FOUND
 from ropsim.motion.diagnostics import POSTURE_CHANGE as POSTURE_CHANGE
 from ropsim.motion.diagnostics import UNKNOWN_FRAME as UNKNOWN_FRAME
 from ropsim.motion.diagnostics import UNKNOWN_TOOL as UNKNOWN_TOOL

@@ -39,6 +39,22 @@ tool or the task frame, or give the target in joint coordinates.
 """,
 )
 
+POSE_NOT_FOUND = define(
+    "M581",
+    "pose-not-found",
+    Severity.ERROR,
+    "no joint coordinates were found for the command pose, though there may be some",
+    """
+The arm belongs to no class whose inverse kinematics has all branches (M550): its joint coordinates are
+searched numerically from many starting points. No search ended at the command pose. Unlike M501 that does not
+prove that the pose is out of reach; the message says how far the nearest pose is that was found.
+
+**How to mend it.** Where the pose is reached, give the target in joint coordinates, or move to a
+configuration next to it first: the search also starts where the arm stands. Else move the target or its task
+frame.
+""",
+)
+
 JOINT_OUT_OF_RANGE = define(
     "M502",
     "joint-out-of-range",

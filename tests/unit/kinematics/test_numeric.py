@@ -20,8 +20,10 @@ from ropsim.kinematics import (
     posture,
     solver_of,
 )
+from ropsim.model import RobotModel
 from ropsim.spatial import Array, Pose
 from support.arms import random_arm
+from support.redundant_poses import awkward_joints, narrowed
 
 POSE_TOLERANCE = 1e-9
 """What the inverse kinematics promises [m, entries of the rotation matrix]."""
@@ -107,7 +109,7 @@ def test_an_arm_with_few_joints_refuses_poses_that_it_has_not(types: str) -> Non
     pose = forward(robot, middle(1, robot.n, seed=4)[0])
     beside = pose @ Pose(orientation=np.array([1.0, 0.3, 0.2, -0.4]))
     found = inverse(robot, replace(beside, position=beside.position + np.array((0.2, 0.1, 0.3))))
-    assert found.status is IkStatus.OUT_OF_REACH
+    assert found.status is IkStatus.NOT_FOUND
     assert len(found.solutions) == 0
     assert found.shortfall is not None
     assert found.shortfall.miss is not None
@@ -164,3 +166,41 @@ def test_matrices_that_are_no_poses_have_no_answers(broken: str) -> None:
     T = forward(robot, middle(1, 6, seed=8)[0]).matrix()
     T[:3, :3] *= {"scaled": 1.01, "mirrored": -1.0, "nan": np.nan}[broken]
     assert np.isnan(inverse_batch(robot, T[None])).all()
+
+
+def with_limits(types: str, seed: int) -> RobotModel:
+    return narrowed(random_arm(seed, types), seed)
+
+
+@pytest.mark.parametrize("types", ["RRRRRRRR", "RRRRRRRRR", "PRRRRRR", "RRPRRRR", "PPRRRRRR"])
+def test_arms_with_more_joints_than_a_pose_needs_find_it_within_narrow_limits(types: str) -> None:
+    for seed in range(2):
+        robot = with_limits(types, seed)
+        for q in awkward_joints(robot, 12, seed=seed):
+            found = inverse(robot, forward(robot, q))
+            assert found.status is IkStatus.FOUND
+            rows = found.solutions
+            assert ((rows >= robot.lower_limits) & (rows <= robot.upper_limits)).all()
+            expected = [forward(robot, q).matrix()] * len(rows)
+            np.testing.assert_allclose(forward_batch(robot, rows), expected, rtol=0.0, atol=POSE_TOLERANCE)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("types", ["RRRRRRRR", "RRRRRRRRR", "PRRRRRR", "RRPRRRR", "PPRRRRRR"])
+def test_no_pose_of_many_is_lost_by_arms_with_more_joints(types: str) -> None:
+    for seed in range(4):
+        robot = with_limits(types, seed)
+        lost = [
+            q
+            for q in awkward_joints(robot, 500, seed=seed)
+            if inverse(robot, forward(robot, q)).status is not IkStatus.FOUND
+        ]
+        assert lost == []
+
+
+def test_what_a_search_does_not_find_is_out_of_reach_only_beyond_all_links_in_a_line() -> None:
+    robot = random_arm(3, "RRPRRR")
+    pose = forward(robot, np.zeros(6))
+    near, far = (replace(pose, position=np.array(at)) for at in ((0.5, -2.5, -2.0), (20.0, 0.0, 0.0)))
+    assert inverse(robot, near).status is IkStatus.NOT_FOUND
+    assert inverse(robot, far).status is IkStatus.OUT_OF_REACH

@@ -39,6 +39,7 @@ class IkStatus(Enum):
     OUT_OF_REACH = "out of reach"
     OUT_OF_TASK_SPACE = "out of task space"
     OUT_OF_LIMITS = "out of limits"
+    NOT_FOUND = "not found"
 
 
 @record
@@ -157,7 +158,7 @@ class Shortfall:
     """Why no branch reaches a pose.
 
     Attributes:
-        status: OUT_OF_REACH or OUT_OF_TASK_SPACE.
+        status: OUT_OF_REACH, OUT_OF_TASK_SPACE or NOT_FOUND.
         reach: the missing distance, if the class of the arm defines one.
         miss: the residual between the arm and the pose, if known instead.
     """
@@ -173,7 +174,8 @@ class IkResult:
 
     Attributes:
         status: FOUND; OUT_OF_REACH (no branch at all); OUT_OF_TASK_SPACE (an arm with few joints cannot take
-            this position or orientation anywhere); OUT_OF_LIMITS (branches, but none within limits).
+            this position or orientation anywhere); OUT_OF_LIMITS (branches, but none within limits);
+            NOT_FOUND (a numeric search found no branch, and there may be one).
         solutions: each branch once [rad | m], shape (m, n); within limits unless they were ignored, in the
             order of `names`. An angle in (-π, π] where limits allow, else in the turn that they allow.
         postures: posture of each solution, m of them; branches that coincide are listed once, by the first
@@ -185,7 +187,7 @@ class IkResult:
         names: the posture of each row of `branches`, b of them.
         violations: with OUT_OF_LIMITS, the joints outside their limits in the branch that violates them
             least, worst first.
-        shortfall: the shortfall, with OUT_OF_REACH and OUT_OF_TASK_SPACE.
+        shortfall: the shortfall, with OUT_OF_REACH, OUT_OF_TASK_SPACE and NOT_FOUND.
         free: of an arm with a `RedundantSolver`, the free coordinate of the pose, and its value in
             `branches`.
     """

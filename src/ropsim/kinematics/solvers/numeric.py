@@ -3,23 +3,29 @@
 from typing import ClassVar
 
 import numpy as np
+import numpy.typing as npt
 
 from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays
 from ropsim.kinematics.chain.forward import frames_of
-from ropsim.kinematics.solutions.configurations import configurations
-from ropsim.kinematics.solutions.polish import POSE_SLACK, TASK_SLACK, nearest_to, polished
+from ropsim.kinematics.solutions.configurations import configurations, spread_between
+from ropsim.kinematics.solutions.polish import POSE_SLACK, TASK_SLACK, nearest_to, polished, polished_within
 from ropsim.kinematics.solutions.result import IkStatus, Miss, Posture, Shortfall
+from ropsim.kinematics.solutions.self_motion import narrow_limits, within
 from ropsim.kinematics.solutions.solver import Method, Snap
 from ropsim.kinematics.solvers.axes import angle_of_turn
 from ropsim.model import RobotModel
 from ropsim.spatial import Array, frozen, record
 
 STARTS = 64
-"""Starts that fill the range of the joints evenly, in addition to the caller's `near`."""
+"""Starts that fill the range of the joints evenly, in addition to the caller's `near` and zeros."""
+FURTHER = 512
+"""Starts of a search within the limits for poses without an answer there."""
 ROWS = 16
 """Maximum number of answers, also the maximum for six revolute joints (Primrose 1986)."""
 SAME = 1e-6
 """Answers nearer than this [rad | m] are one: near singularities rounding moves them by its square root."""
+TOUCHING = 1e-6
+"""Poses this far beyond all links in one line [m], and entries of rotations beyond 1, are rounding."""
 TURN = 2.0 * np.pi
 
 
@@ -30,10 +36,12 @@ class NumericSolver:
     Attributes:
         chain: the arm.
         starts: joint coordinates [rad | m], shape (s, n).
+        limits: lower and upper limits of the joints [rad | m], shape (2, n).
     """
 
     chain: ChainArrays
     starts: Array
+    limits: Array
 
     name: ClassVar[str] = "numeric"
     method: ClassVar[Method] = Method.NUMERIC
@@ -49,10 +57,23 @@ class NumericSolver:
     def branches(self, T: Array, near: Array) -> Array:
         """Return answers to many poses, those nearest to `near` first, shape (k, 16, n).
 
-        See `InverseSolver.branches`. The search starts at `near` and at all `starts`.
+        See `InverseSolver.branches`. The search starts at `near` and at all `starts`. Where there are
+        answers, but none within the limits, a search that keeps to the limits follows, from the same places,
+        from the answers beyond, and of redundant arms from `FURTHER` starts.
         """
-        found = polished(self.chain, T, self._begin(len(T), near), self.slack)
-        return distinct(found, near, self.chain.turning)
+        starts = np.concatenate((near[np.newaxis], self.starts))
+        found = polished(self.chain, T, np.tile(starts, (len(T), 1, 1)), self.slack)
+        limits = np.vstack((self.limits, self.chain.turning))
+        out = np.empty((len(T), ROWS, self.chain.n))
+        for k, rows in enumerate(found):
+            answers = rows[~np.isnan(rows[:, 0])]
+            inside = within(answers, narrow_limits(limits), self.chain.turning)
+            if len(answers) and not len(inside):
+                inside = self._within(T[k : k + 1], np.concatenate((starts, answers)))
+            both = distinct(inside[np.newaxis], near, self.chain.turning)[0]
+            both = np.concatenate((both[~np.isnan(both[:, 0])], answers))
+            out[k] = _nearest_first(both, near, self.chain.turning)
+        return out
 
     def posture(self, q: Array) -> Posture:
         """Return the posture without words: numerical answers have no names."""
@@ -65,20 +86,38 @@ class NumericSolver:
         return False
 
     def shortfall(self, X_BM: Array) -> Shortfall:
+        """Return how far the nearest pose is that was found; out of reach only beyond all links in a line."""
+        sure = self.chain.parallel and not may_reach(self.chain, X_BM[np.newaxis], self._strokes())[0]
+        status = IkStatus.OUT_OF_REACH if sure else IkStatus.NOT_FOUND
+        return Shortfall(status, miss=self.miss(X_BM))
+
+    def miss(self, X_BM: Array) -> Miss:
         """Return how far the nearest pose is that was found."""
         n = self.chain.n
-        ends = nearest_to(self.chain, X_BM[np.newaxis], self._begin(1, np.zeros(n)))[0]
+        ends = nearest_to(self.chain, X_BM[np.newaxis], self.starts[np.newaxis])[0]
         poses = frames_of(self.chain, ends)[:, -1]
         distances = np.linalg.norm(poses[:, :3, 3] - X_BM[:3, 3], axis=1)
         angles = np.array([angle_of_turn(pose, X_BM) for pose in poses])
         best = int(np.argmin(np.hypot(distances, angles)))
         few = f"{n} joint{'s' if n > 1 else ''} cannot take every pose, and the" if n < 6 else "the"
-        miss = Miss(f"{few} nearest one was found numerically", float(distances[best]), float(angles[best]))
-        return Shortfall(IkStatus.OUT_OF_REACH, miss=miss)
+        return Miss(f"{few} nearest one was found numerically", float(distances[best]), float(angles[best]))
 
-    def _begin(self, count: int, near: Array) -> Array:
-        starts = np.concatenate((near[np.newaxis], self.starts))
-        return np.tile(starts, (count, 1, 1))
+    def _strokes(self) -> float:
+        """Return how far all sliding joints together may be from where they begin [m]."""
+        farthest = np.abs(self.limits + self.chain.offset).max(axis=0)
+        return float(farthest[self.chain.slides > 0.0].sum())
+
+    def _within(self, X_BM: Array, starts: Array) -> Array:
+        """Return answers to a pose (1, 4, 4) within the limits, shape (m, n); none where none was found."""
+        found = self._kept(X_BM, starts)
+        if len(found) or self.chain.n <= 6:
+            return found
+        return self._kept(X_BM, spread_between(self.limits[0], self.limits[1], FURTHER))
+
+    def _kept(self, X_BM: Array, starts: Array) -> Array:
+        """Return the answers to a pose (1, 4, 4) that a search within the limits from starts (s, n) finds."""
+        rows = polished_within(self.chain, X_BM, starts[np.newaxis], self.limits, self.slack)[0]
+        return np.asarray(rows[~np.isnan(rows[:, 0])])
 
 
 def distinct(answers: Array, near: Array, turning: Array, most: int = ROWS) -> Array:
@@ -109,7 +148,31 @@ def distinct(answers: Array, near: Array, turning: Array, most: int = ROWS) -> A
 
 def numeric(robot: RobotModel) -> NumericSolver:
     """Return the numeric solver of an arm, of any kind."""
-    return NumericSolver(chain_arrays(robot), frozen(configurations(robot, STARTS)))
+    starts = np.vstack((configurations(robot, STARTS), np.zeros(robot.n)))
+    limits = np.stack((robot.lower_limits, robot.upper_limits))
+    return NumericSolver(chain_arrays(robot), frozen(starts), frozen(limits))
+
+
+def may_reach(chain: ChainArrays, T: Array, strokes: float = 0.0) -> npt.NDArray[np.bool_]:
+    """Return which of T (k, 4, 4) are no farther than all links and `strokes` [m] in a line, shape (k,)."""
+    links = np.linalg.norm(chain.p[1:], axis=1).sum() + np.linalg.norm(chain.X_nM[:, 3]) + TOUCHING
+    links += strokes
+    near = (np.abs(T[:, :3, 3] - chain.p[0]) <= links).all(axis=1)  # false for NaN
+    near &= (np.abs(T[:, :3, :3]) <= 1.0 + TOUCHING).all(axis=(1, 2))
+    near[near] = np.linalg.norm(T[near][:, :3, 3] - chain.p[0], axis=1) <= links
+    return np.asarray(near)
+
+
+def _nearest_first(rows: Array, near: Array, turning: Array) -> Array:
+    """Return the first 16 different ones of rows (m, n), those nearest to `near` first, NaN behind them."""
+    kept = rows[:0]
+    for q in rows:
+        if len(kept) == ROWS:
+            break
+        apart = np.abs(_wrapped(kept - q, TURN * turning)).max(axis=1)
+        if not (apart <= SAME).any():
+            kept = np.vstack((kept, q))
+    return np.asarray(distinct(kept[np.newaxis], near, turning)[0])
 
 
 def _wrapped(difference: Array, turns: Array) -> Array:

@@ -12,6 +12,7 @@ from ropsim.motion import (
     OTHER_JOINTS_AT_LINE_END,
     OUT_OF_REACH,
     OUT_OF_TASK_SPACE,
+    POSE_NOT_FOUND,
 )
 from ropsim.planning.moves.branch_following import Follow
 from ropsim.planning.records.posture_choice import JointRange
@@ -20,6 +21,11 @@ from ropsim.spatial import Array, Pose, record
 
 _NEAR_SINGULAR = 0.08  # smallest singular value of the Jacobian [m | -] below which the note names it
 _SAME_JOINTS = 1e-6  # [rad | m]
+_LEFT = {
+    IkStatus.OUT_OF_REACH: (OUT_OF_REACH, "the reach of the arm"),
+    IkStatus.OUT_OF_TASK_SPACE: (OUT_OF_TASK_SPACE, "the poses that this arm can take"),
+    IkStatus.NOT_FOUND: (POSE_NOT_FOUND, "the poses for which joint coordinates were found"),
+}
 
 
 @record
@@ -56,7 +62,7 @@ class Line:
 
 
 def lost(line: Line, found: Follow, matrices: Array) -> Diagnostic:
-    """Return M501 or M530 where the line leaves the reach of the arm, or M505 where joints would jump.
+    """Return M501, M530 or M581 where the line leaves the reach of the arm, or M505 where joints would jump.
 
     Args:
         line: the line.
@@ -72,10 +78,9 @@ def lost(line: Line, found: Follow, matrices: Array) -> Diagnostic:
         here = line.held if line.setpoints.external is None else line.held[row]
         options = IkOptions(near=here)
         shortfall = inverse(robot, Pose.from_matrix(matrices[row]), options).shortfall
-        outside = shortfall is not None and shortfall.status is IkStatus.OUT_OF_TASK_SPACE
-        left = "the poses that this arm can take" if outside else "the reach of the arm"
+        kind, left = _LEFT[shortfall.status if shortfall else IkStatus.OUT_OF_REACH]
         x, y, z = (1e3 * line.setpoints.matrices[row, :3, 3]).tolist()
-        return (OUT_OF_TASK_SPACE if outside else OUT_OF_REACH).at(
+        return kind.at(
             span,
             f"the line leaves {left} at {share:.0%} of the way, "
             f"with the TCP at ({x:.1f}, {y:.1f}, {z:.1f}) mm in the base frame",

@@ -9,7 +9,7 @@ import numpy as np
 
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MotionKind, MoveInstruction
-from ropsim.kinematics import IkOptions, Limits, branches_near, inverse, tool_pose
+from ropsim.kinematics import IkOptions, branches_near, inverse, tool_pose
 from ropsim.model import ControllerModel, OrientationMode, RobotModel, Synchronisation, Tool
 from ropsim.motion import (
     ZERO_LENGTH,
@@ -153,7 +153,7 @@ class StandardPathPlanner:
             branches = as_requested
         choice = choose(self.robot, branches, q_start, self._range, so_far.limits.joints)
         if choice is None:
-            return Refusal((out_of_range(move, branches, self._range),))
+            return Refusal((out_of_range(move, self.robot, branches, self._range),))
         if not choice.keeps_posture and move.posture is None:
             changed = posture_change(move, self.robot, q_start, choice.q)
             so_far = replace(so_far, findings=so_far.findings + changed)
@@ -222,7 +222,7 @@ class StandardPathPlanner:
         if isinstance(branches, Refusal):
             return branches
         if not self._range.inside(branches).any():
-            return Refusal((out_of_range(move, branches, self._range),))
+            return Refusal((out_of_range(move, self.robot, branches, self._range),))
         return there, X_BT
 
     def _joint_goal(self, move: MoveInstruction) -> Array | Refusal:
@@ -239,6 +239,6 @@ class StandardPathPlanner:
         branches = branches_near(self.robot, X_BM, q_near)
         if branches is not None:
             return nearest_turns(branches, q_near, self._range)
-        shortfall = inverse(self.robot, X_BM, IkOptions(Limits.IGNORE, near=q_near)).shortfall
+        shortfall = inverse(self.robot, X_BM, IkOptions(near=q_near)).shortfall
         assert shortfall is not None
         return Refusal((out_of_reach(move, X_BM, shortfall, self.robot, q_near),))

@@ -20,6 +20,7 @@ from ropsim.motion import (
     NO_ARM,
     OUT_OF_REACH,
     OUT_OF_TASK_SPACE,
+    POSE_NOT_FOUND,
     POSTURE_CHANGE,
     POSTURE_FOR_LATER,
 )
@@ -62,7 +63,7 @@ def _task_space_hint(miss: Miss | None, X_BM: Pose) -> str:
 def out_of_reach(
     move: MoveInstruction, X_BM: Pose, shortfall: Shortfall, robot: RobotModel, q: Array
 ) -> Diagnostic:
-    """Return M501 or M530 for a command pose X_BM of the mechanical interface that no posture reaches.
+    """Return M501, M530 or M581 for a command pose X_BM of the mechanical interface without a posture.
 
     Args:
         move: the instruction.
@@ -80,9 +81,9 @@ def out_of_reach(
         **_miss_data(shortfall.miss),
     }
     outside = shortfall.status is IkStatus.OUT_OF_TASK_SPACE
-    what = "this arm cannot take the command pose" if outside else "command pose is out of reach"
+    kind, what = _WITHOUT_POSTURE[shortfall.status]
     why = shortfall_words(shortfall)
-    return (OUT_OF_TASK_SPACE if outside else OUT_OF_REACH).at(
+    return kind.at(
         move.origin.span,
         f"{what}: {why or position}",
         label=passes(move.origin),
@@ -92,6 +93,13 @@ def out_of_reach(
         else "move the target or its frame, and look at the units of its coordinates",
         data=data,
     )
+
+
+_WITHOUT_POSTURE = {
+    IkStatus.OUT_OF_REACH: (OUT_OF_REACH, "command pose is out of reach"),
+    IkStatus.OUT_OF_TASK_SPACE: (OUT_OF_TASK_SPACE, "this arm cannot take the command pose"),
+    IkStatus.NOT_FOUND: (POSE_NOT_FOUND, "no joint coordinates were found for the command pose"),
+}
 
 
 def _reach_data(reach: Reach | None) -> dict[str, object]:
@@ -104,13 +112,14 @@ def _miss_data(miss: Miss | None) -> dict[str, object]:
     return {} if miss is None else {"missing_m": miss.distance, "missing_rad": miss.angle}
 
 
-def out_of_range(move: MoveInstruction, branches: Array, limits: JointRange) -> Diagnostic:
+def out_of_range(move: MoveInstruction, robot: RobotModel, branches: Array, limits: JointRange) -> Diagnostic:
     """Return M502 for a command pose that every posture reaches only beyond the joint limits.
 
     The joint that is named is the worst one of the posture that comes nearest to the limits.
 
     Args:
         move: the instruction.
+        robot: the arm.
         branches: of the pose, with their best turns, NaN where absent [rad | m], shape (b, n).
         limits: of the joints.
     """
@@ -123,12 +132,13 @@ def out_of_range(move: MoveInstruction, branches: Array, limits: JointRange) -> 
     count = len(turned)
     reach = "one posture reaches" if count == 1 else f"{count} postures reach"
     none = "not" if count == 1 else "none"
+    further = "; there may be others" if solver_of(robot).method is Method.NUMERIC else ""
     return JOINT_OUT_OF_RANGE.at(
         move.origin.span,
         f"command pose needs joint `{joint.name}` at {coordinate(joint, value)}, "
         f"the limit is {coordinate(joint, limit)}",
         label=passes(move.origin),
-        notes=(f"{reach} the command pose, {none} within the joint limits",),
+        notes=(f"{reach} the command pose, {none} within the joint limits{further}",),
         hint="move or turn the target or its frame",
         data={
             **figures(joint, value, limit),

@@ -10,7 +10,7 @@ import pytest
 from ropsim import robots
 from ropsim.core import Severity
 from ropsim.flow import ModalState, MoveInstruction
-from ropsim.kinematics import forward, inverse
+from ropsim.kinematics import IkOptions, IkStatus, forward, inverse, redundant_solver_of
 from ropsim.motion import JointMotionLimits
 from ropsim.planning import Refusal, plan_move
 from ropsim.planning.testing import JointRange, choose
@@ -31,6 +31,7 @@ from support.motion import (
     refused,
     shifted,
 )
+from support.published_arms import random_joints
 from support.scara import scara
 
 FAR = Pose(np.array([2.0, 0.0, 0.5]), np.array([0.0, 0.0, 1.0, 0.0]))
@@ -50,6 +51,33 @@ def test_a_pose_out_of_reach_is_refused_with_the_distance_of_the_wrist_centre(
     assert isinstance(distance, float)
     assert distance > 0.864077
     assert found.data["pass"] == PASS
+
+
+def test_a_pose_that_a_numeric_search_does_not_find_is_not_said_to_be_out_of_reach() -> None:
+    arm = random_arm(3, "RRPRRR")
+    chain = chain_of(one_station("free", arm, CELL.first.controller))
+    near = replace(forward(arm, np.zeros(6)), position=np.array([0.5, -2.5, -2.0]))
+    found = refused(ptp(near), np.zeros(6), chain)
+    assert found.code == "M581"
+    assert "no joint coordinates were found for the command pose: the nearest one was found" in found.message
+    assert "reach" not in found.message
+
+
+@pytest.mark.parametrize("name", ["iiwa14", "panda"])
+def test_a_redundant_arm_moves_its_elbow_where_limits_shut_out_the_present_one(name: str) -> None:
+    arm, moved = robots.load(name), 0
+    chain = chain_of(one_station("seven", arm, CELL.first.controller))
+    solver = redundant_solver_of(arm)
+    assert solver is not None
+    here = solver.free(arm.home).value
+    for goal in random_joints(arm, 12, seed=3):
+        pose = forward(arm, goal)
+        held = inverse(arm, pose, IkOptions(near=arm.home, free=here))
+        moved += held.status is not IkStatus.FOUND
+        move = planned(ptp(pose), arm.home, chain)
+        assert ((move.q_end >= arm.lower_limits) & (move.q_end <= arm.upper_limits)).all()
+        np.testing.assert_allclose(forward(arm, move.q_end).matrix(), pose.matrix(), atol=1e-9)
+    assert moved >= 1
 
 
 @pytest.mark.parametrize("make", [ptp, lin])

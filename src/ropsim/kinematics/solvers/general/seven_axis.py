@@ -10,7 +10,7 @@ from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays
 from ropsim.kinematics.chain.forward import frames_of
 from ropsim.kinematics.solutions.configurations import configurations
 from ropsim.kinematics.solutions.polish import POSE_SLACK, polished
-from ropsim.kinematics.solutions.result import Free, Posture, Shortfall
+from ropsim.kinematics.solutions.result import Free, IkStatus, Posture, Shortfall
 from ropsim.kinematics.solutions.solver import Method, Snap
 from ropsim.kinematics.solvers.axes import COUPLED
 from ropsim.kinematics.solvers.general.elimination import about_z, eliminations, steps_of
@@ -131,7 +131,7 @@ class GeneralSevenAxisSolver:
 
     def shortfall(self, X_BM: Array) -> Shortfall:
         """Return how far the nearest pose is that was found."""
-        return self.search.shortfall(X_BM)
+        return Shortfall(IkStatus.OUT_OF_REACH, miss=self.search.miss(X_BM))
 
 
 def without_joint(chain: ChainArrays, joint: int, value: float) -> ChainArrays:

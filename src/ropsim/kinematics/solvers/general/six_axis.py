@@ -9,7 +9,7 @@ from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays
 from ropsim.kinematics.chain.forward import frames_of
 from ropsim.kinematics.solutions.configurations import configurations
 from ropsim.kinematics.solutions.polish import POSE_SLACK
-from ropsim.kinematics.solutions.result import Posture, Shortfall
+from ropsim.kinematics.solutions.result import IkStatus, Posture, Shortfall
 from ropsim.kinematics.solutions.solver import Method, Snap
 from ropsim.kinematics.solvers.axes import COUPLED
 from ropsim.kinematics.solvers.general.elimination import Elimination, eliminations, steps_of
@@ -59,7 +59,7 @@ class GeneralSixAxisSolver:
 
     def shortfall(self, X_BM: Array) -> Shortfall:
         """Return how far the nearest pose is that was found."""
-        return self.search.shortfall(X_BM)
+        return Shortfall(IkStatus.OUT_OF_REACH, miss=self.search.miss(X_BM))
 
 
 def recognise(robot: RobotModel) -> GeneralSixAxisSolver | str:

@@ -8,7 +8,7 @@ from ropsim.kinematics.chain.jacobian import least_singular_values
 from ropsim.kinematics.solutions.polish import polished
 from ropsim.kinematics.solvers.general.elimination import WAYS, Elimination, eliminations, steps_of
 from ropsim.kinematics.solvers.general.elimination_roots import ROOTS, starts
-from ropsim.kinematics.solvers.numeric import ROWS, distinct
+from ropsim.kinematics.solvers.numeric import ROWS, distinct, may_reach
 from ropsim.spatial import Array
 
 CLEAR = 1e-5
@@ -22,8 +22,6 @@ MOVING = 1e-6
 """An arm whose Jacobian has a smaller singular value [m, rad] may move without moving its interface."""
 FOUND = 1e-4
 """An elimination finds a configuration where it comes so near to it [rad]."""
-TOUCHING = 1e-6
-"""Poses this far beyond all links in one line [m], and entries of rotations beyond 1, are rounding."""
 FEW = 8
 """Number of poses to determine whether an elimination is singular for an arm."""
 AT_ONCE = 512
@@ -49,19 +47,10 @@ def all_answers(chain: ChainArrays, ways: tuple[Elimination, ...], T: Array, nea
     out = np.full((len(T), ROWS, 6), np.nan)
     for begin in range(0, len(T), AT_ONCE):
         some = T[begin : begin + AT_ONCE]
-        asked = _possible(chain, some)
+        asked = may_reach(chain, some)
         if asked.any():
             out[begin : begin + AT_ONCE][asked] = _answers(chain, ways, some[asked], near)
     return out
-
-
-def _possible(chain: ChainArrays, T: Array) -> npt.NDArray[np.bool_]:
-    """Return which of T (k, 4, 4) may be poses, no farther from joint 1 than all links in one line, (k,)."""
-    links = np.linalg.norm(chain.p[1:], axis=1).sum() + np.linalg.norm(chain.X_nM[:, 3]) + TOUCHING
-    near = (np.abs(T[:, :3, 3] - chain.p[0]) <= links).all(axis=1)  # false for NaN
-    near &= (np.abs(T[:, :3, :3]) <= 1.0 + TOUCHING).all(axis=(1, 2))
-    near[near] = np.linalg.norm(T[near][:, :3, 3] - chain.p[0], axis=1) <= links
-    return np.asarray(near)
 
 
 def regular_ways(chain: ChainArrays, T: Array, Q: Array) -> tuple[int, ...]:
