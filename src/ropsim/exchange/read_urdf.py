@@ -5,6 +5,7 @@ from dataclasses import replace
 from ropsim.core import SourceText
 from ropsim.exchange.assembly.description import Description
 from ropsim.exchange.assembly.robot import read_robot
+from ropsim.exchange.files.arguments import no_arguments
 from ropsim.exchange.files.folder import STANDARD, ReadOptions
 from ropsim.exchange.files.xml_tree import Element, read_xml
 from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING
@@ -41,7 +42,11 @@ def read_urdf(source: SourceText, options: ReadOptions = STANDARD) -> ReadRobot:
     """
     notes = Notes()
     root = read_xml(source, notes)
-    whole = expanded(root, options, notes) if root and uses_xacro(root) else root
+    if root and uses_xacro(root):
+        whole = expanded(root, options, notes)
+    else:
+        whole = root
+        no_arguments(options, source, notes)
     description = _description(whole, options, notes) if whole else None
     made = read_robot(description, options.tip, source, notes)
     return replace(made, files=options.folder.files)
@@ -51,6 +56,12 @@ def _description(root: Element, options: ReadOptions, notes: Notes) -> Descripti
     if root.name != "robot":
         words = f"the outermost element is `{shown(root.name)}`, that of URDF is `robot`"
         notes.add(ELEMENT_MISSING, root.span, words, "is it a file of another format?")
+        return None
+    if root.first("group") and not root.first("link"):
+        words = "the file has groups of links for MoveIt (SRDF), and no links"
+        notes.add(
+            ELEMENT_MISSING, root.span, words, "the robot stands in the URDF or xacro file of its package"
+        )
         return None
     materials = materials_of(root, notes)
     bodies = [body_of(one, materials, options.folder, notes) for one in root.all("link")]

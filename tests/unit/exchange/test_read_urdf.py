@@ -376,3 +376,9 @@ def test_the_tip_is_recognised(branches: list[tuple[str, str, int]], joints: int
     assert (found.robot.n if found.robot else 0) == joints
     if not joints:
         assert [one.code for one in found.findings if one.is_error] == ["X988"]
+
+
+def test_a_semantic_file_is_recognised() -> None:
+    found = read_urdf(SourceText("a.srdf.xacro", '<robot name="a"><group name="arm"/></robot>'))
+    assert found.robot is None
+    assert "SRDF" in found.findings[0].message

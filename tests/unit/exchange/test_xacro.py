@@ -41,9 +41,9 @@ def folder(tmp_path: Path) -> Path:
 
 
 def read(folder: Path, main: str = MAIN, **arguments: str) -> ReadRobot:
-    options = ReadOptions(
-        folder=RobotFolder(folder, {"arm": "packages"}), arguments={"meshes": "false", **arguments}
-    )
+    if main.count("(arg meshes)"):
+        arguments.setdefault("meshes", "false")
+    options = ReadOptions(folder=RobotFolder(folder, {"arm": "packages"}), arguments=arguments)
     return read_urdf(SourceText("main.xacro", main), options)
 
 
@@ -82,7 +82,7 @@ WRONG = {
     "the argument `mehses` has no value": MAIN.replace("(arg meshes)", "(arg mehses)"),
     "no parameter `side`": MAIN.replace("prefix=", "side=").replace("meshes=", 'prefix="" meshes='),
     "lacks the parameter `prefix`": MAIN.replace('prefix="r_" ', ""),
-    "not inside of the given folders": MAIN.replace("find arm", "find leg"),
+    "not near to the robot file": MAIN.replace("find arm", "find leg"),
     "`$(env ...)` is not carried out": MAIN.replace("$(arg name)", "$(env HOME)"),
     "a condition is `perhaps`": MAIN,
     "more than 40 in each other": MAIN.replace(

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from pathlib import PurePath
 
 from ropsim.core import SourceText, Span
 from ropsim.exchange.assembly.aligned import aligned, displaced, with_added_turns
@@ -158,9 +159,10 @@ def _coupling(one: Connection, kept: KeptJoints) -> Coupling:
 
 def _origins(source: SourceText, driven: list[Connection]) -> tuple[ParameterOrigin, ...]:
     """Return the origins of the numbers: the file, and estimates for missing ones."""
-    found = [ParameterOrigin("geometry, masses and limits", "derived", f"read from {source.name}")]
+    name = PurePath(source.name).name  # without folders, which are of one computer
+    found = [ParameterOrigin("geometry, masses and limits", "derived", f"read from {name}")]
     for what, names in unknown_names(driven).items():
-        found.append(ParameterOrigin(what, "estimated", f"not in {source.name}: joints {', '.join(names)}"))
+        found.append(ParameterOrigin(what, "estimated", f"not in {name}: joints {', '.join(names)}"))
     return tuple(found)
 
 

@@ -4,11 +4,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
-from ropsim.core import SourceText, Span
+from ropsim.core import SourceText, Span, near
 from ropsim.exchange.files.folder import ReadOptions
 from ropsim.exchange.files.xml_tree import Element, read_xml
 from ropsim.exchange.losses.diagnostics import XACRO
-from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.names import listed, shown
 from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.xacro.calls import Calls
 from ropsim.exchange.xacro.formulas.values import XacroError, literal, truth
@@ -66,7 +66,17 @@ class _Expansion(Calls):
         added = self._open.pop()
         bare = Element(root.name, root.attributes, (), root.span, root.text)
         made = self._elements((bare,), scope, 0)[0]
+        self._check_given(root.span)
         return replace(made, attributes=MappingProxyType({**made.attributes, **added}), children=children)
+
+    def _check_given(self, span: Span) -> None:
+        """Refuse arguments that the file does not have: they would have no effect."""
+        for name in self._given:
+            if name not in self._asked:
+                close = near(name, self._asked, limit=1)
+                known = listed(sorted(self._asked)) or "none"
+                hint = f"did you mean `{close[0]}`?" if close else f"arguments of the file: {known}"
+                raise _PlacedError(span, f"the file has no argument `{shown(name)}`", hint)
 
     def _elements(self, elements: tuple[Element, ...], scope: Scope, depth: int) -> list[Element]:
         """Return the expansion of elements."""
@@ -119,6 +129,7 @@ class _Expansion(Calls):
 
     def _arg(self, one: Element, scope: Scope, _depth: int) -> list[Element]:
         name = self._need(one, "name", scope)
+        self._asked.add(name)
         if "default" in one.attributes and name not in self._arguments:
             self._arguments[name] = self._text(one.attributes["default"], scope)
         return []

@@ -3,7 +3,7 @@
 from ropsim.exchange.files.folder import ReadOptions
 from ropsim.exchange.files.xml_tree import MOST_ELEMENTS, Element
 from ropsim.exchange.losses.diagnostics import XACRO_MESSAGE
-from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.names import listed, shown
 from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.xacro.formulas.values import Value, XacroError
 from ropsim.exchange.xacro.scope import Scope
@@ -25,9 +25,10 @@ class Texts:
 
     def __init__(self, options: ReadOptions, notes: Notes) -> None:
         self._folder = options.folder
-        self._given = options.arguments
         self._notes = notes
+        self._given = tuple(options.arguments)
         self._arguments: dict[str, str] = dict(options.arguments)
+        self._asked: set[str] = set()
         self._files: dict[tuple[str, str], Value] = {}
         self._beside = [options.folder.beside]
         self._messages: dict[str, None] = {}
@@ -49,8 +50,10 @@ class Texts:
         Raises:
             XacroError: it has no value.
         """
+        self._asked.add(name)
         if name not in self._arguments:
-            raise XacroError(f"the argument `{name[:60]}` has no value", "give it, or a default by xacro:arg")
+            hint = f"give it: `--arg {name[:60]}=VALUE`"
+            raise XacroError(f"the argument `{name[:60]}` has no value", hint)
         return self._arguments[name]
 
     def has_argument(self, name: str) -> bool:
@@ -121,12 +124,20 @@ class Texts:
             raise XacroError(f"`{one.name}` has no `{key}`", f"write {key}=... into it")
         return self._text(one.attributes[key], scope)
 
+    def _absent(self, name: str, path: str | None) -> XacroError:
+        """Return the error of a file that is not there: its package is not, or an argument made its name."""
+        if path is None:
+            why, hint = self._folder.absence(name)
+            return XacroError(f"the file `{shown(name)}` is {why}", hint)
+        values = listed(f"{one}={value}" for one, value in self._arguments.items())
+        hint = f"does an argument need another value? They are {values}: `--arg NAME=VALUE`" if values else ""
+        return XacroError(f"the file `{shown(name)}` is not there", hint or "look at its name")
+
     def _text_of_file(self, name: str) -> tuple[str, str]:
         """Return path and text of a file that is named in the one that is expanded."""
         path = self._folder.path(name, self._beside[-1])
         text = self._folder.text(path) if path else None
         if path is None or text is None:
-            words = f"the file `{shown(name)}` is not there, or not inside of the given folders"
-            raise XacroError(words, "give the folder of its package")
+            raise self._absent(name, path)
         self.spend(len(text) // 10)
         return path, text

@@ -216,3 +216,31 @@ def test_what_is_requested_of_a_file_reaches_a_new_project(maker: Path, tmp_path
     made = find_robot(tmp_path / "cell" / "robots" / "arm.stp").robot
     assert made is not None
     assert forward(made, [0.0, 0.0]).position[0] == pytest.approx(0.4)
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("reech", "has no argument `reech`"),
+        ("height", "has no argument `height`"),
+    ],
+)
+def test_an_argument_that_a_file_does_not_have_is_an_error(maker: Path, name: str, words: str) -> None:
+    with pytest.raises(RobotFileError, match=words) as error:
+        load_robot(maker, arguments={name: "1"})
+    assert "reach" in error.value.diagnostic.hint
+
+
+def test_arguments_of_a_file_without_xacro_are_an_error(maker: Path) -> None:
+    place = maker.with_name("plain.urdf")
+    place.write_text('<robot name="a"><link name="b"/></robot>', "utf-8")
+    with pytest.raises(RobotFileError, match="takes no arguments"):
+        load_robot(place, arguments={"reach": "1"})
+
+
+def test_a_file_that_an_argument_names_wrongly_is_answered_with_the_arguments(maker: Path) -> None:
+    maker.write_text(MAIN.replace('filename="hand.xacro"', 'filename="$(arg reach).xacro"'), "utf-8")
+    with pytest.raises(RobotFileError, match=r"`0.4.xacro` is not there") as error:
+        load_robot(maker)
+    assert "`reach=0.4`" in error.value.diagnostic.hint
+    assert "--arg NAME=VALUE" in error.value.diagnostic.hint
