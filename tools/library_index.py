@@ -16,12 +16,15 @@ GROUPS = {
     "axes": ("axes", "lengths"),
     "limits": ("limits",),
     "speeds": ("speed",),
+    "accelerations": ("acceleration",),
     "torques": ("torque",),
     "payload": ("payload",),
     "masses": ("mass",),
     "drives": ("motor", "gear", "drives"),
+    "friction": ("friction",),
 }
 """Kinds of numbers and words that groups of parameters with them are called by."""
+KINDS = ("measured", "published", "derived", "estimated")
 _SAMPLES, _SEED, _WAYS = 1000, 1, 16
 _FIRST_STEP, _LAST_STEP = 0.3, 1e-4  # of the search [rad | m]
 
@@ -43,22 +46,24 @@ def entry(robot: RobotModel) -> CatalogueEntry:
 
 
 def _data(robot: RobotModel) -> list[str]:
-    """Return the groups of numbers of a robot, and of which they are estimates."""
-    there = {"masses": any(link.mass for link in robot.links), "drives": bool(robot.drives)}
+    """Return the groups of numbers of a robot with their kinds, `published` unless one is named."""
+    there = {
+        "masses": any(link.mass for link in robot.links),
+        "drives": bool(robot.drives),
+        "friction": bool(robot.drives),
+    }
     found = []
     for group, words in GROUPS.items():
-        kinds = {
-            one.kind == "estimated"
-            for one in robot.origins
-            if any(word in one.parameters for word in words)
-            and not one.parameters.startswith(("joint acceleration", "home"))
-        }
-        if not kinds or not there.get(group, True):
-            continue
-        found.append(
-            group + ("" if kinds == {False} else " estimated" if kinds == {True} else " partly estimated")
-        )
+        kinds = {one.kind for one in robot.origins if any(word in _named(one.parameters) for word in words)}
+        if kinds and there.get(group, True):
+            named = [kind for kind in KINDS if kind in kinds]
+            found.append(group if named == ["published"] else f"{group} {' and '.join(named)}")
     return found
+
+
+def _named(parameters: str) -> str:
+    """Return the name of a group without its accuracy, in which torque limits are no limits of joints."""
+    return parameters.partition(" (")[0].replace("torque limits", "torques")
 
 
 def reach(robot: RobotModel) -> float:

@@ -3,8 +3,9 @@
 python -m tools.robot_library           write them
 python -m tools.robot_library --check   compare only; exit 1 where one differs
 
-The facts are robot files (docs/reference/robot-file.md), each with the sources of its numbers. What the arms
-look like is in tools/library_looks.toml: castings of a size, or rods between points on the axes of their
+The facts are robot files (docs/reference/robot-file.md), each with the sources of its numbers. Masses and
+drives that are not among them are estimates (tools/library_dynamics.py). What the arms look like is in
+tools/library_looks.toml: castings of a size, or rods between points on the axes of their
 joints. Beside the files stands index.tsv, each built-in robot in a line, so that listing them reads none.
 """
 
@@ -18,6 +19,7 @@ from typing import Any
 import numpy as np
 from tools.industrial_looks import industrial
 from tools.library_chains import chain
+from tools.library_dynamics import driven
 from tools.library_index import entry
 from tools.library_palletizers import palletizer
 from tools.library_rods import with_rod
@@ -54,7 +56,7 @@ def robots() -> dict[str, RobotModel]:
     found |= {path.stem: palletizer(path) for path in sorted(FACTS.glob("palletizers/*.toml"))}
     for path in sorted(FACTS.glob("chains/*.toml")):
         found[path.stem] = drawn(chain(path), look_of(path, looks))
-    return found
+    return driven(found)
 
 
 def look_of(facts: Path, looks: Mapping[str, Any]) -> Mapping[str, Any]:

@@ -7,8 +7,11 @@ A picture says in its `Source` of what it was drawn; only those are drawn anew o
 """
 
 import sys
+from collections.abc import Sequence
 from math import isfinite
 from pathlib import Path
+
+from tools.library_index import KINDS
 
 from ropsim.robots import CatalogueEntry, catalogue, load
 from ropsim.views import PictureOptions, picture_print, png_words, robot_png
@@ -32,10 +35,20 @@ def table(entries: list[CatalogueEntry]) -> str:
         payload = f"{one.rated_payload:g}" if isfinite(one.rated_payload) else "–"
         cells = (
             *(picture, f"`{one.name}`", one.title, str(one.axes), f"{1e3 * one.reach:.0f}", payload),
-            *(one.solver, ", ".join(one.data), one.source),
+            *(one.solver, by_kind(one.data), one.source),
         )
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines) + "\n"
+
+
+def by_kind(data: Sequence[str]) -> str:
+    """Return groups of numbers by their kinds, as `published: axes, limits; estimated: friction`."""
+    kinds: dict[str, list[str]] = {kind: [] for kind in KINDS}
+    for one in data:
+        group, _, words = one.partition(" ")
+        for kind in words.split(" and ") if words else ["published"]:
+            kinds[kind].append(group)
+    return "; ".join(f"{kind}: {', '.join(groups)}" for kind, groups in kinds.items() if groups)
 
 
 def page(text: str) -> str:

@@ -92,7 +92,7 @@ def test_json_documents_have_the_entries_that_the_manual_names(
         },
         "robot audit puma560": {"ok", "tip"} | found,
         "robot export scara my_arm.toml": {"ok", "path", "tip"} | found,
-        "robot estimate irb120 arm.stp": {"ok", "path"} | found,
+        "robot estimate two_link arm.stp": {"ok", "path"} | found,
         "robot import my_arm.toml --to my_arm.stp": {"ok", "path", "tip"} | found,
         "robot fk two_link 0 0": {"position", "orientation"},
         "robot ik puma560 500 100 400 180 0 30": {

@@ -52,7 +52,7 @@ export interface AxisFacts {
 export interface ParameterOrigin {
   /** Covered parameters, such as `motor constants`. */
   readonly parameters: string
-  /** `published`, `derived` or `estimated`. */
+  /** `measured`, `published`, `derived` or `estimated`. */
   readonly kind: string
   /** Paper, table or reasoning. */
   readonly source: string

@@ -17,7 +17,7 @@ class ParameterOrigin:
 
     Attributes:
         parameters: covered parameters, such as `motor constants`.
-        kind: `published`, `derived` or `estimated`.
+        kind: `measured`, `published`, `derived` or `estimated`.
         source: paper, table or reasoning.
     """
 

@@ -4,11 +4,12 @@ from collections.abc import Sequence
 
 from ropsim.model import ParameterOrigin
 from ropsim.robotfile.dh_table import RISE, SPEEDS, TO_FULL_SPEED, DhTable
-from ropsim.robotfile.estimates import RULE
+from ropsim.robotfile.estimation.link_masses import DENSITY
 from ropsim.robotfile.links import Links
 from ropsim.tomltext import TomlTable
 
-_KINDS = ("published", "derived", "estimated")
+_KINDS = ("measured", "published", "derived", "estimated")
+_RULE = f"shares of the mass of the arm by its class, as cylinders of {DENSITY:g} kg/m³ from joint to joint"
 
 
 def read_origins(root: TomlTable, name: str) -> tuple[ParameterOrigin, ...]:
@@ -35,7 +36,7 @@ def estimates(table: DhTable, links: Links) -> tuple[ParameterOrigin, ...]:
     if table.estimated:
         found.append(ParameterOrigin(f"joint {_and(table.estimated)}", "estimated", _limits_rule(table)))
     if links.estimated and links.has_mass:
-        found.append(ParameterOrigin(_and(links.estimated), "estimated", RULE))
+        found.append(ParameterOrigin(_and(links.estimated), "estimated", _RULE))
     return tuple(found)
 
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from ropsim.core import SourceText
 from ropsim.model import (
+    ArmClass,
     Joint,
     JointType,
     ReadRobot,
@@ -19,6 +20,7 @@ from ropsim.model import (
 from ropsim.robotfile import diagnostics as kinds
 from ropsim.robotfile.dh_table import read_dh_table
 from ropsim.robotfile.drives import read_drives
+from ropsim.robotfile.estimation.recognition import class_of_joints
 from ropsim.robotfile.links import read_links
 from ropsim.robotfile.origins import estimates, read_origins
 from ropsim.robotfile.places import robot_file_places
@@ -37,6 +39,8 @@ from ropsim.tomltext import (
 )
 
 CONVENTIONS = ("standard", "modified")
+CLASSES = tuple(one.value for one in ArmClass if one is not ArmClass.PALLETIZER)
+"""Classes of arms that a robot file describes."""
 PAYLOAD = Quantity("kg", 1.0, 1e-3, 1e5)
 
 
@@ -72,7 +76,8 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
         _pass_over(root)
         return None
     X_nM = table.interface @ X_NM
-    links = read_links(root, table, X_nM, units)
+    arm_class = ArmClass(root.choice("class", CLASSES, CLASSES[0])) if "class" in root else None
+    links = read_links(root, table, X_nM, arm_class or class_of_joints(table.joints), units)
     drives = read_drives(root, table)
     if drives and not links.has_mass:
         message = "there are `drives`, and no link has a mass"
@@ -101,6 +106,7 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
         X_nM=X_nM,
         dh=table.rows if convention == "standard" else (),
         rated_payload=rated_payload,
+        arm_class=arm_class,
     )
     if table.coupled and not any(one.is_error for one in root.findings.items):
         robot = with_coupled_axes(robot, table.coupled)

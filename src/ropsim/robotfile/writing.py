@@ -73,6 +73,7 @@ def write_robot_file(robot: RobotModel) -> WrittenRobot:
         "convention": text(table.convention),
         "home": row(coordinate(q, joint.type) for q, joint in zip(robot.home, robot.joints, strict=True)),
         "origins": _rows([_origin(one.parameters, one.kind, one.source) for one in robot.origins]),
+        "class": text(robot.arm_class.value) if robot.arm_class is not None else "",
         "payload": number(robot.rated_payload) if isfinite(robot.rated_payload) else "",
         "joints": _rows(
             [

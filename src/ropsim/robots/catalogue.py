@@ -24,8 +24,8 @@ class CatalogueEntry:
         rated_payload: mass that the maker allows at the interface [kg]; inf where unknown.
         reach: of the wrist, or of the interface of an arm without one, from axis 1 [m].
         solver: class of its inverse kinematics.
-        data: available data, such as `masses`, all of it published or derived except for entries in
-            `estimated`.
+        data: available groups of numbers with their kinds, such as `masses` (published), `masses measured` or
+            `friction estimated`.
         source: of its axes.
     """
 

@@ -23,7 +23,7 @@ def shown(name: str, capsys: pytest.CaptureFixture[str]) -> list[str]:
         ("puma560", ["drives: DC motors, gears of 53.71 to 107.81 to 1"]),
         ("patu655", ["drives: hydraulic cylinders at servo valves"]),
         ("two_link", ["drives: motors that give the torque they are told, directly at the joints"]),
-        ("irb120", ["drives: none known, the arm is exactly where it is told to be"]),
+        ("irb120", ["drives: motors that give the torque they are told, gears of 40.93 to 68.75 to 1"]),
         (
             "manutec_r3",
             [

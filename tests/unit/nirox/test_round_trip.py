@@ -12,6 +12,7 @@ from ropsim.exchange import read_urdf, write_urdf
 from ropsim.kinematics import forward
 from ropsim.model import (
     ALL_DIRECTIONS,
+    ArmClass,
     CurrentLimitedAmplifier,
     DcMotor,
     Drive,
@@ -74,7 +75,9 @@ def test_built_in_robots_come_back_to_the_last_bit(name: str) -> None:
 
 def test_robots_on_a_track_and_beside_a_positioner_come_back() -> None:
     arm = on_track(robots.load("puma560"), robots.linear_track(2.0), PLACE)
-    both = replace(beside(arm, robots.tilting_turntable(0.4), PLACE), rated_payload=2.5)
+    both = replace(
+        beside(arm, robots.tilting_turntable(0.4), PLACE), rated_payload=2.5, arm_class=ArmClass.SEVEN_AXIS
+    )
     assert both.external == (6, 7, 8)
     assert again(both) == both
 

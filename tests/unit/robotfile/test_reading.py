@@ -118,11 +118,12 @@ def test_the_mass_of_the_arm_is_shared_by_its_links_with_inertias_that_can_be() 
     assert sum(link.mass for link in robot.links) == pytest.approx(12.0)
     assert robot.links[0].mass > robot.links[1].mass > 0.0
     np.testing.assert_allclose(robot.links[0].com, [0.2, 0.0, 0.0])
+    mass, length = robot.links[0].mass, 0.4
     # a cylinder along x: little about x, the same about y and z
     xx, yy, zz = np.diag(robot.links[0].inertia)
     assert 0.0 < xx < yy == pytest.approx(zz)
-    radius = 0.05 * 0.7
-    assert xx == pytest.approx(robot.links[0].mass * radius**2 / 2.0)
+    radius = (mass / (np.pi * 1500.0 * length)) ** 0.5
+    assert xx == pytest.approx(mass * radius**2 / 2.0)
     assert not [one for one in audit(robot) if one.code in {"X853", "X854", "X865"}]
     estimated = [one.parameters for one in robot.origins if one.kind == "estimated"]
     assert "masses of the links, centres of mass and moments of inertia" in estimated

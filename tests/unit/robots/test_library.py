@@ -62,6 +62,6 @@ def test_the_controller_of_an_unknown_robot_is_an_unknown_robot() -> None:
 @pytest.mark.parametrize("name", robots.names())
 def test_every_group_of_parameters_states_where_it_comes_from(name: str) -> None:
     origins = robots.load(name).origins
-    assert {origin.kind for origin in origins} <= {"published", "derived", "estimated"}
+    assert {origin.kind for origin in origins} <= {"measured", "published", "derived", "estimated"}
     assert all(len(origin.source) > 10 for origin in origins)
     assert not [finding for finding in audit(robots.load(name)) if finding.is_error]

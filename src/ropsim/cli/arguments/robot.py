@@ -1,10 +1,12 @@
 """`ropsim robot`."""
 
 import argparse
+from math import isfinite
 
 from ropsim.cli.arguments.command import Commands, command
 
 _ROBOT = "name of a robot, see `ropsim robot list`, or a robot file"
+_CLASSES = ("industrial", "cobot", "seven-axis", "scara", "palletizer")
 
 
 def robot(commands: Commands) -> None:
@@ -32,6 +34,18 @@ def robot(commands: Commands) -> None:
     )
     _of_robot(estimate)
     estimate.add_argument("file", metavar="FILE", help="such as robots/arm.stp or robots/arm.toml")
+    estimate.add_argument(
+        "--class",
+        dest="arm_class",
+        choices=_CLASSES,
+        help="what the arm is built as, if its axes do not say it: cobots may have those of industrial arms",
+    )
+    estimate.add_argument(
+        "--mass", metavar="KG", type=_kilograms, help="of the arm with its base, as data sheets give it"
+    )
+    estimate.add_argument(
+        "--payload", metavar="KG", type=_kilograms, help="rated payload, where the robot does not say it"
+    )
     import_ = command(
         actions,
         "import",
@@ -154,4 +168,19 @@ def _of_frame(text: str) -> float:
     value = float(text)
     if not abs(value) <= 1e6:
         raise argparse.ArgumentTypeError(f"{text} is no number from -1000000 to 1000000")
+    return value
+
+
+def _kilograms(text: str) -> float:
+    """Return a mass [kg].
+
+    Raises:
+        ArgumentTypeError: it is no number, or not within 1 g and 100 t.
+    """
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not (isfinite(value) and 1e-3 <= value <= 1e5):
+        raise argparse.ArgumentTypeError(f"`{text[:40]}` is no mass, allowed is 0.001 to 100000 kg")
     return value

@@ -2,13 +2,16 @@
 
 import argparse
 import shlex
+from dataclasses import replace
+from math import inf
 from pathlib import Path
 
 from ropsim.cli.terminal.named_robot import named_robot
 from ropsim.cli.terminal.output import Output, cannot_write
 from ropsim.core import Diagnostic, replace_file
+from ropsim.model import ArmClass
 from ropsim.records import diagnostic_document
-from ropsim.robotfile import estimated_dynamics
+from ropsim.robotfile import ArmFacts, estimated_dynamics
 from ropsim.workbench import RobotFileError, written_robot
 
 
@@ -17,7 +20,11 @@ def estimate(options: argparse.Namespace, output: Output) -> int:
     robot = named_robot(options, output)
     if robot is None:
         return 1
-    made = estimated_dynamics(robot)
+    if options.arm_class:
+        robot = replace(robot, arm_class=ArmClass(options.arm_class))
+    if options.payload:
+        robot = replace(robot, rated_payload=options.payload)
+    made = estimated_dynamics(robot, ArmFacts(options.mass or inf, "as given"))
     written = None if isinstance(made, Diagnostic) else written_robot(made, options.file)
     findings = (made,) if isinstance(made, Diagnostic) else written.losses if written else ()
     output.findings(findings, {})

@@ -7,6 +7,7 @@ from ropsim.model.findings.diagnostics import UNUSABLE_LIMIT
 from ropsim.model.findings.number_range import ModelValueError
 from ropsim.model.mechanism.mechanism import Mechanism
 from ropsim.model.mechanism.number_check import check_finite
+from ropsim.model.robots.arm_class import ArmClass
 from ropsim.model.robots.dh import DhRow
 from ropsim.spatial import Array, Pose, record
 
@@ -27,6 +28,7 @@ class RobotModel(Mechanism):
             turntable.
         rated_payload: mass that the maker allows at the interface, tool and part together [kg]; inf where
             unknown.
+        arm_class: what it is built as, for rules of estimates; None where nothing but its axes says so.
 
     Raises:
         ModelValueError: the interface is not finite, the rated payload not positive; as `Mechanism`.
@@ -37,6 +39,7 @@ class RobotModel(Mechanism):
     dh: tuple[DhRow, ...] = ()
     external: tuple[int, ...] = ()
     rated_payload: float = inf
+    arm_class: ArmClass | None = None
 
     __repr__ = Mechanism.__repr__
 

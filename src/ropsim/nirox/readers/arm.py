@@ -6,6 +6,7 @@ from typing import TypeAlias
 
 from ropsim.model import (
     BASE_LINK,
+    ArmClass,
     Coupling,
     DhRow,
     Drive,
@@ -25,7 +26,7 @@ from ropsim.nirox.readers.number_places import places_of
 from ropsim.nirox.readers.seen import Seen
 from ropsim.spatial import Pose, frozen
 
-_KINDS = ("published", "derived", "estimated")
+_KINDS = ("measured", "published", "derived", "estimated")
 _ROLE = "mechanical_interface"
 _Frames: TypeAlias = tuple[int, Pose, tuple[FurtherFrame, ...]]
 
@@ -63,6 +64,7 @@ def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...
     dh: tuple[DhRow, ...] = seen.attempt(partial(read_dh_table, seen, mechanism), ())
     external: tuple[int, ...] = seen.attempt(partial(read_external, seen, pairs), ())
     rated_payload = seen.attempt(partial(_rated_payload, seen), inf)
+    arm_class = seen.attempt(partial(_arm_class, seen), None)
     wrong = tuple(number_findings(joints.joints, links, axes, drives, places_of(seen, axes)))
     if wrong:
         for one in () if seen.is_refused else wrong:
@@ -86,6 +88,7 @@ def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...
         dh=dh,
         external=external,
         rated_payload=rated_payload,
+        arm_class=arm_class,
     )
     return robot, frames
 
@@ -151,6 +154,14 @@ def _rated_payload(seen: Seen) -> float:
         seen.take(entry, "rated payload")
         return seen.real(entry, "mass")
     return inf
+
+
+def _arm_class(seen: Seen) -> ArmClass | None:
+    """Return what the arm is built as; None if missing in the file."""
+    for entry in seen.extent("arm_class"):
+        seen.take(entry, "arm class")
+        return ArmClass[seen.text(entry, "build").upper()]
+    return None
 
 
 def _origins(seen: Seen) -> list[ParameterOrigin]:

@@ -48,6 +48,9 @@ def write_arm(
     _couplings(building, robot)
     if isfinite(robot.rated_payload):
         building.add(("rated payload",), "RATED_PAYLOAD", building.at(("arm",)), float(robot.rated_payload))
+    if robot.arm_class is not None:
+        build = Enumeration(robot.arm_class.name)
+        building.add(("arm class",), "ARM_CLASS", building.at(("arm",)), build)
     for place in robot.external:
         building.add(("external", place), "EXTERNAL_AXIS", axes[place])
     for number, row in zip(_table(robot) or (), robot.dh, strict=False):

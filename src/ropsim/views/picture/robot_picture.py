@@ -45,11 +45,12 @@ DEFAULT = PictureOptions()
 
 
 def picture_print(robot: RobotModel, options: PictureOptions = DEFAULT) -> str:
-    """Return a key that changes with the picture of a robot."""
+    """Return a key that changes with the picture of a robot, not with its masses and limits."""
+    shapes = tuple(link.shapes for link in robot.links)
+    places = tuple((one.type, one.placement, one.offset, one.parent) for one in robot.joints)
     cylinders = tuple(_cylinders(robot))
-    return fingerprint(
-        (DRAWING, options, robot.base_shapes, robot.links, robot.joints, robot.home, *cylinders)
-    )
+    moved = (robot.home, robot.axes, robot.couplings)
+    return fingerprint((DRAWING, options, robot.base_shapes, shapes, places, moved, *cylinders))
 
 
 def robot_png(robot: RobotModel, options: PictureOptions = DEFAULT) -> bytes:

@@ -83,7 +83,8 @@ WITHOUT_DYNAMICS = ("torques", "drives", "servo")
 """Further omitted checks of a kinematic run."""
 
 SHORT = 40
-"""Greatest length of the names of groups of estimated parameters; longer lists are counted."""
+"""Greatest length of the names of groups of estimated parameters; of longer lists groups without a stated
+accuracy, such as drawn shapes, are counted."""
 
 
 @frozen_dataclass
@@ -109,12 +110,21 @@ class Unchecked:
         if self.aspects:
             parts.append(f"not checked: {', '.join(self.aspects)}")
         if self.estimated:
-            names = ", ".join(clean(name) for name in self.estimated)
-            count = plural(len(self.estimated), "group")
-            parts.append(f"estimated: {names if len(names) <= SHORT else f'{count} of parameters'}")
+            parts.append(f"estimated: {_names([clean(name) for name in self.estimated])}")
         if self.fine_stops:
             parts.append(f"zones not flown (fine stop) on {plural(len(self.fine_stops), 'line')}")
         return " · ".join(parts)
+
+
+def _names(estimated: Sequence[str]) -> str:
+    """Return groups of estimates in a line: of many only those with an accuracy, as `friction (×3)`."""
+    if len(", ".join(estimated)) <= SHORT:
+        return ", ".join(estimated)
+    named = [name for name in estimated if name.endswith(")")]
+    others = len(estimated) - len(named)
+    if not named:
+        return f"{plural(others, 'group')} of parameters"
+    return ", ".join([*named, f"{plural(others, 'other group')} of parameters"] if others else named)
 
 
 def unchecked(facts: RunFacts, findings: Iterable[Diagnostic], hand: ByHand) -> Unchecked:

@@ -48,8 +48,30 @@ def test_the_first_program_of_an_arm_that_swings_keeps_its_limits_with_drives_to
 ) -> None:
     recording = ropsim.open(new_robot_project(tmp_path / "my_cell", name)).simulate()
     assert recording.ok
-    settling, posture_for_lines = "S725", "M585"
-    assert {one.code for one in recording.findings} <= {settling, posture_for_lines}
+    settling, posture_for_lines, slowed = "S725", "M585", "M563"
+    assert {one.code for one in recording.findings} <= {settling, posture_for_lines, slowed}
+
+
+def run_with_drives(name: str, folder: Path) -> None:
+    """Run the first program of an arm; only hints are found, and it settles soon."""
+    recording = ropsim.open(new_robot_project(folder / name, name)).simulate()
+    assert recording.ok
+    assert {one.code for one in recording.findings} <= {"S725", "M563", "M585"}
+    assert not recording.facts.is_kinematic
+    assert travel(recording) > 0.1
+
+
+@pytest.mark.parametrize("name", ["irb120", "panda", "irb660_180_315", "cobra600"])
+def test_the_first_program_of_an_arm_with_estimated_drives_runs_without_a_warning(
+    name: str, tmp_path: Path
+) -> None:
+    run_with_drives(name, tmp_path)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", robots.names())
+def test_the_first_program_of_every_arm_runs_with_drives_without_a_warning(name: str, tmp_path: Path) -> None:
+    run_with_drives(name, tmp_path)
 
 
 def test_a_robot_file_is_copied_with_its_meshes(tmp_path: Path) -> None:

@@ -1,0 +1,106 @@
+"""What the origins of estimated groups of parameters say: the rule, and how far it may be off."""
+
+from collections.abc import Iterable, Sequence
+from math import isfinite
+
+from ropsim.model import ArmClass, ParameterOrigin
+from ropsim.robotfile.estimation import joint_friction, rotors, torque_limits
+from ropsim.robotfile.estimation.accelerations import TO_FULL_SPEED, TO_FULL_SPEED_OF_WRIST, USED_SHARE
+from ropsim.robotfile.estimation.link_masses import DENSITY
+
+ESTIMATED = "estimated"
+MASSES_OFF = "loads ±12 %"
+"""How far gravity and inertia of the axes may be off with the rated payload, if the total mass is known."""
+MASSES_WEAKLY_OFF = "loads ×1.75"
+"""The same if the total mass is an estimate, too."""
+_UNPROVEN = (ArmClass.PALLETIZER, ArmClass.SCARA)
+
+
+def mass_origin(arm_class: ArmClass, total: float, source: str) -> ParameterOrigin:
+    """Return the origin of masses that are shares of a known total mass.
+
+    Args:
+        arm_class: of the arm.
+        total: mass with the base [kg].
+        source: where the total mass is from; empty if that is not said.
+    """
+    whole = f"{total:.4g} kg in all" + (f" ({source})" if source else "")
+    return _mass_origin(arm_class, whole, MASSES_OFF)
+
+
+def size_mass_origin(arm_class: ArmClass, total: float) -> ParameterOrigin:
+    """Return the origin of masses where the total mass is an estimate by payload and reach, too.
+
+    Args:
+        arm_class: of the arm.
+        total: mass with the base [kg].
+    """
+    return _mass_origin(arm_class, f"{total:.3g} kg in all by payload and reach", MASSES_WEAKLY_OFF)
+
+
+def _mass_origin(arm_class: ArmClass, whole: str, off: str) -> ParameterOrigin:
+    words = f"{whole}, in the shares of {arm_class.value} arms, as cylinders of {DENSITY:g} kg/m³"
+    return ParameterOrigin(f"masses ({'unproven' if arm_class in _UNPROVEN else off})", ESTIMATED, words)
+
+
+def torque_origin(names: Sequence[str], count: int, payload: float, why: str) -> ParameterOrigin:
+    """Return the origin of torque limits.
+
+    Args:
+        names: of their axes.
+        count: number of all axes.
+        payload: that they hold [kg]; inf for none.
+        why: further words.
+    """
+    which = "" if len(names) == count else f" of {', '.join(names)}"
+    load = f"{payload:g} kg" if isfinite(payload) else "no load"
+    words = f"multiples of the torque that holds the arm with {load} against gravity{why}"
+    return ParameterOrigin(f"torque limits{which} ({torque_limits.ACCURACY})", ESTIMATED, words)
+
+
+def balance_origin(names: Sequence[str]) -> ParameterOrigin:
+    """Return the origin of published limits that do not hold the rated payload in every posture."""
+    words = (
+        f"gravity with the rated payload takes more than {torque_limits.HELD_SHARE:.0%} of the published "
+        f"torque of {', '.join(names)}: springs or weights balance the arm, or "
+        "loads have further limits"
+    )
+    return ParameterOrigin("balance of the arm", "derived", words)
+
+
+def rotor_origin() -> ParameterOrigin:
+    """Return the origin of rotors and gear ratios."""
+    words = (
+        f"{rotors.MAIN:g} s, of the wrist {rotors.WRIST:g} s, times torque limit over speed at the joint; "
+        f"motors turn at {rotors.MOTOR_SPEED:g} rad/s at full speed"
+    )
+    return ParameterOrigin(f"rotors and gears ({rotors.ACCURACY})", ESTIMATED, words)
+
+
+def friction_origin() -> ParameterOrigin:
+    """Return the origin of friction."""
+    words = (
+        f"dry {joint_friction.DRY:.0%} of the torque limit, of the wrist "
+        f"{joint_friction.DRY_OF_WRIST:.0%}; viscous {joint_friction.VISCOUS:.0%} of it at full speed"
+    )
+    return ParameterOrigin(f"friction ({joint_friction.ACCURACY})", ESTIMATED, words)
+
+
+def acceleration_origin() -> ParameterOrigin:
+    """Return the origin of joint accelerations and jerks."""
+    words = (
+        f"full speed within {TO_FULL_SPEED:g} s, of the wrist {TO_FULL_SPEED_OF_WRIST:g} s, as far as "
+        f"{USED_SHARE:g} of the torque limits allow it in most postures; full acceleration within 0.1 s"
+    )
+    return ParameterOrigin("joint accelerations and jerks", ESTIMATED, words)
+
+
+def without_accelerations(origins: Iterable[ParameterOrigin]) -> list[ParameterOrigin]:
+    """Return origins without estimates of accelerations and jerks; of such groups only speeds stay."""
+    found = []
+    for one in origins:
+        if one.kind != ESTIMATED or "acceleration" not in one.parameters:
+            found.append(one)
+        elif "speed" in one.parameters:
+            found.append(ParameterOrigin("joint speeds", ESTIMATED, one.source.partition(";")[0]))
+    return found
