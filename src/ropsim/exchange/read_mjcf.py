@@ -16,12 +16,14 @@ from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_MOTIO
 from ropsim.exchange.losses.names import shown
 from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.mjcf.actuators import axis_names, driven
+from ropsim.exchange.mjcf.attributes import check_attributes
 from ropsim.exchange.mjcf.bodies import BodyReader
 from ropsim.exchange.mjcf.constraints import coupled
 from ropsim.exchange.mjcf.custom import limited
 from ropsim.exchange.mjcf.geoms import assets_of
 from ropsim.exchange.mjcf.includes import with_included
 from ropsim.exchange.mjcf.settings import settings_of
+from ropsim.exchange.mjcf.weight_rules import scaled_to_total
 from ropsim.model import ReadRobot
 
 _SILENT = {
@@ -74,13 +76,14 @@ def _description(root: Element, options: ReadOptions, notes: Notes) -> Descripti
         return None
     whole = replace(worlds[0], children=tuple(one for world in worlds for one in world.children))
     reader.read(whole)
+    check_attributes(root, notes)
     connections = driven(coupled(reader.connections, root, notes), root, settings, notes)
     axes = axis_names(connections, root)
     connections = limited(connections, axes, root, notes)
     _losses(root, notes)
     return Description(
         root.attributes.get("model", "").strip() or "robot",
-        tuple(reader.bodies),
+        scaled_to_total(reader.bodies, settings.weights),
         connections,
         root.span,
         gravity=_gravity(root, notes),

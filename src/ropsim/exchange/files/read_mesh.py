@@ -15,6 +15,12 @@ _UNDRAWN = Topic(
     f"the meshes {{}} are not drawn: read are {', '.join(MESH_ENDINGS)}",
     "convert them to one of these",
 )
+_SCALED = Topic(
+    LOST_DESCRIPTION,
+    "mirrored or stretched meshes",
+    "the meshes {} are not drawn: they are scaled by other than one positive number",
+    "scale or mirror the mesh files themselves",
+)
 
 
 def package_of(name: str) -> str:
@@ -48,10 +54,7 @@ def mesh_of(
         return None
     if len(set(scale)) > 1 or scale[0] <= 0.0:
         figures = " ".join(f"{one:g}" for one in scale)
-        words = (
-            f"the mesh `{shown(name)}` is scaled by {figures}, allowed is one positive number for all axes"
-        )
-        notes.add(LOST_DESCRIPTION, span, words, "scale the mesh file itself")
+        notes.gather(_SCALED, span, [name], f"the first one by {figures}")
         return None
     if not folder.has(path):
         hint = "put it there; the path counts from the folder of the robot file"

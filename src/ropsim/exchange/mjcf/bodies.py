@@ -14,9 +14,10 @@ from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_MOTION
 from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.mjcf.geoms import Assets, Geometry, drawn, geometry_of
-from ropsim.exchange.mjcf.joints import anchor_of, connection_of, is_free
+from ropsim.exchange.mjcf.joints import anchor_of, connection_of, free_base, frees, is_free
 from ropsim.exchange.mjcf.poses import pose_of
 from ropsim.exchange.mjcf.settings import MAIN, Settings, class_of
+from ropsim.exchange.mjcf.weight_rules import corrected
 from ropsim.model import Payload, combine, moved
 from ropsim.spatial import Pose
 
@@ -30,6 +31,19 @@ _FREE = Topic(
     "bodies {} move about freely and are left out",
     "parts of a cell stand in its own file",
 )
+_FIXED_BASE = Topic(
+    LOST_MOTION,
+    "free base",
+    "the base {} moves about freely in the file: it is taken as fixed",
+    "a base that moves is a track or a carriage with joints of its own",
+)
+_MADE = Topic(
+    LOST_MOTION,
+    "bodies that are made",
+    "elements {} make bodies or take them from other files, and are left out",
+    "save the model by MuJoCo, which writes the bodies themselves",
+)
+_MAKERS = ("replicate", "attach", "composite", "flexcomp")
 _MESH_WEIGHT = Topic(
     DOUBTFUL_BODY,
     "weights of meshes",
@@ -49,13 +63,17 @@ class BodyReader:
         self._settings, self._assets, self._folder, self._notes = settings, assets, folder, notes
         self._others: dict[str, Element] = {}
         self._count = 0
+        self._base: Element | None = None
 
     def read(self, world: Element) -> None:
         """Read all bodies of a world, each with its parent before it."""
+        self._base = free_base(world)
+        if self._base is not None:
+            self._notes.gather(_FIXED_BASE, self._base.span, [self._base.attributes.get("name", "")])
         waiting: list[tuple[Element, str, Pose, str]] = [(world, "", Pose(), MAIN)]
         while waiting:
             element, parent, X, inherited = waiting.pop()
-            if parent and is_free(element):
+            if parent and is_free(element) and element is not self._base:
                 self._leave(element)
                 continue
             parts, X_BO = self._body(element, parent, X, inherited)
@@ -114,13 +132,15 @@ class BodyReader:
                 waiting += [(child, inner, name) for child in reversed(one.children)]
             elif one.name in _KNOWN:
                 found.append((one, at, own))
+            elif one.name in _MAKERS:
+                self._notes.gather(_MADE, one.span, [one.name])
             elif one.name not in _SILENT:
                 self._others.setdefault(one.name, one)
         return found
 
     def _joints(self, parts: list[tuple[Element, Pose, str]], name: str, parent: str, X: Pose) -> Pose:
         """Connect a body by its joints, in their order; return its own frame in that of its last joint."""
-        joints = [self._whole(one, own) for one, _, own in parts if one.name == "joint"]
+        joints = [self._whole(one, own) for one, _, own in parts if one.name == "joint" and not frees(one)]
         if not joints:
             span = parts[0][0].span if parts else self.bodies[-1].span
             self.connections.append(Connection(f"{name}_mount", Motion.NONE, parent, name, X, span))
@@ -140,14 +160,17 @@ class BodyReader:
 
     def _weight(self, element: Element, name: str, geometry: list[Geometry], X: Pose) -> Payload:
         """Return the weight of a body: its own, else that of its geometry, as the settings say."""
-        inertial, by = element.first("inertial"), self._settings.from_geometry
-        if inertial is not None and by != "true":
-            return moved(inertial_of(inertial, self._settings, self._notes), X)
-        if by == "false" or element.name == "worldbody":
+        inertial, rules = element.first("inertial"), self._settings.weights
+        if element.name == "worldbody":
             return Payload()
-        if any(one.weight is None for one in geometry):
+        heavy = [one for one in geometry if rules.has_mass(one.group)]
+        if inertial is not None and (rules.from_geometry != "true" or not heavy):
+            return corrected(moved(inertial_of(inertial, self._settings, self._notes), X), rules)
+        if rules.from_geometry == "false":
+            return corrected(Payload(), rules)
+        if any(one.weight is None for one in heavy):
             self._notes.gather(_MESH_WEIGHT, element.span, [name])
-        return combine(tuple(one.weight for one in geometry if one.weight))
+        return corrected(combine(tuple(one.weight for one in heavy if one.weight)), rules)
 
 
 def _shifted(geometry: Geometry, X: Pose) -> Geometry:

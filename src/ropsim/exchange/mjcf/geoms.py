@@ -151,6 +151,8 @@ def _mesh_shapes(
         return ()
     scale = numbers_of(asset, "scale", notes, (1.0, 1.0, 1.0))
     file = asset.attributes.get("file", "")
+    if settings.strip == "true":
+        file = file.replace("\\", "/").rpartition("/")[2]
     if settings.meshes and "://" not in file:
         file = f"{settings.meshes.rstrip('/')}/{file}"
     mesh: Mesh | None = mesh_of(file, scale, folder, asset.span, notes)

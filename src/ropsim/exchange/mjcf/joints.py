@@ -1,5 +1,6 @@
 """Joints of MJCF: hinges and slides about points of a body."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from math import inf
 
@@ -27,9 +28,43 @@ _MOTIONS = {"hinge": Motion.TURN, "slide": Motion.SLIDE}
 
 def is_free(body: Element) -> bool:
     """Return whether a body moves about freely."""
-    return body.first("freejoint") is not None or any(
-        one.attributes.get("type") == "free" for one in body.all("joint")
-    )
+    return any(frees(one) for one in body.children)
+
+
+def frees(joint: Element) -> bool:
+    """Return whether an element lets its body move about freely."""
+    return joint.name == "freejoint" or (joint.name == "joint" and joint.attributes.get("type") == "free")
+
+
+def free_base(world: Element) -> Element | None:
+    """Return the free body with the most joints, which is the base if no joint stands on a fixed one."""
+    counts: list[tuple[int, Element]] = []
+    for body in _bodies(world):
+        joints = sum(not frees(one) for one in _descendants(body) if one.name == "joint")
+        if joints and not is_free(body):
+            return None
+        counts.append((joints, body))
+    most = max((count for count, _ in counts), default=0)
+    return next((body for count, body in counts if count == most), None) if most else None
+
+
+def _bodies(element: Element) -> Iterator[Element]:
+    """Yield the bodies of a world, including those in frames."""
+    waiting = list(reversed(element.children))
+    while waiting:
+        one = waiting.pop()
+        if one.name == "body":
+            yield one
+        elif one.name == "frame":
+            waiting += reversed(one.children)
+
+
+def _descendants(element: Element) -> Iterator[Element]:
+    waiting = [element]
+    while waiting:
+        one = waiting.pop()
+        yield one
+        waiting += one.children
 
 
 def connection_of(

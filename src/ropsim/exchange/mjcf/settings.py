@@ -4,10 +4,12 @@ from collections.abc import Mapping
 from math import radians
 from types import MappingProxyType
 
-from ropsim.core import frozen_dataclass
+from ropsim.core import Span, frozen_dataclass
 from ropsim.exchange.files.xml_tree import Element
-from ropsim.exchange.losses.diagnostics import SAME_ENTITY, UNKNOWN_ENTITY
+from ropsim.exchange.losses.diagnostics import BAD_NUMBER, SAME_ENTITY, UNKNOWN_ENTITY
+from ropsim.exchange.losses.names import shown
 from ropsim.exchange.losses.notes import Notes
+from ropsim.exchange.mjcf.weight_rules import WeightRules, weight_rules
 
 MAIN = "main"
 """The default class."""
@@ -27,17 +29,18 @@ class Settings:
         angle: radians in one unit of angles of the file.
         order: of Euler angles, such as `xyz`; capitals turn about fixed axes.
         limits: whether a range alone limits a joint (`autolimits`).
-        from_geometry: which bodies have the mass of their geometry: `auto` for bodies without `inertial`,
-            `true` for all, `false` for none.
+        weights: rules for the weights of bodies.
         meshes: folder of meshes relative to the file.
+        strip: `true` where names of files count without their folders (`strippath`).
         defaults: attributes by class and element.
     """
 
     angle: float
     order: str
     limits: str
-    from_geometry: str
+    weights: WeightRules
     meshes: str
+    strip: str
     defaults: Defaults
 
     def whole(self, element: Element, inherited: str) -> Element:
@@ -59,16 +62,31 @@ class Settings:
 def settings_of(root: Element, notes: Notes) -> Settings:
     """Return the settings of a file; later elements of a name extend earlier ones."""
     compiler: dict[str, str] = {}
+    span = root.span
     for one in root.all("compiler"):
         compiler |= one.attributes
+        span = one.span
+    _check(compiler, span, notes)
     return Settings(
         1.0 if compiler.get("angle", "degree") == "radian" else radians(1.0),
         compiler.get("eulerseq", "xyz"),
         compiler.get("autolimits", "true"),
-        compiler.get("inertiafromgeom", "auto"),
+        weight_rules(Element("compiler", MappingProxyType(compiler), (), span), notes),
         compiler.get("meshdir", compiler.get("assetdir", "")),
+        compiler.get("strippath", "false"),
         _defaults(root, notes),
     )
+
+
+def _check(compiler: Mapping[str, str], span: Span, notes: Notes) -> None:
+    """Note settings that would place bodies elsewhere if they were read as others."""
+    order = compiler.get("eulerseq", "xyz")
+    if len(order) != 3 or set(order.lower()) - set("xyz"):
+        words = f'`compiler` has eulerseq="{shown(order)}", allowed are three of x, y, z, X, Y, Z'
+        notes.add(BAD_NUMBER, span, words, "write such as xyz")
+    if compiler.get("coordinate", "local") != "local":
+        words = f'`compiler` has coordinate="{shown(compiler["coordinate"])}", allowed is local'
+        notes.add(BAD_NUMBER, span, words, "save the file by a newer MuJoCo")
 
 
 def _defaults(root: Element, notes: Notes) -> Defaults:

@@ -114,8 +114,9 @@ def _coupled_home(robot: Mechanism) -> Iterator[Diagnostic]:
 
 
 def _origins(robot: Mechanism) -> Iterator[Diagnostic]:
-    for origin in robot.origins:
-        if origin.kind == "estimated":
-            yield kinds.ESTIMATED_PARAMETERS.at(
-                None, f"estimated in `{robot.name}`: {origin.parameters}", notes=(origin.source,)
-            )
+    """Yield one finding on all that is estimated, with a note on the source of each estimate."""
+    estimated = [one for one in robot.origins if one.kind == "estimated"]
+    if estimated:
+        what = ", ".join(one.parameters for one in estimated)
+        sources = tuple(f"{one.parameters}: {one.source}" for one in estimated)
+        yield kinds.ESTIMATED_PARAMETERS.at(None, f"estimated in `{robot.name}`: {what}", notes=sources)

@@ -25,5 +25,6 @@ def test_a_mesh_is_scaled_by_one_positive_number(scale: tuple[float, ...]) -> No
     figures = " ".join(f"{one:g}" for one in scale)
     assert (found.code, found.span) == ("X995", PLACE)
     assert found.message == (
-        f"the mesh `a.stl` is scaled by {figures}, allowed is one positive number for all axes"
+        "the meshes `a.stl` are not drawn: they are scaled by other than one positive number: "
+        f"the first one by {figures}"
     )
