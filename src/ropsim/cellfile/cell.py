@@ -2,6 +2,8 @@
 
 from collections.abc import Collection, Mapping
 
+import numpy as np
+
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.devices.devices import read_devices
 from ropsim.cellfile.devices.signals import read_signals
@@ -13,6 +15,7 @@ from ropsim.cellfile.objects.fixed_objects import read_objects
 from ropsim.cellfile.objects.objects import read_parts, read_sinks
 from ropsim.cellfile.objects.supports import note_standings, read_supports
 from ropsim.cellfile.poses import read_locations
+from ropsim.cellfile.robots.robot import under_gravity
 from ropsim.cellfile.robots.robot_files import NO_FILES, RobotLibrary
 from ropsim.cellfile.robots.stations import read_stations
 from ropsim.cellfile.robots.tools import read_tools
@@ -35,6 +38,7 @@ from ropsim.tomltext import (
     ANGLE_UNITS,
     LENGTH_UNITS,
     Path,
+    Quantity,
     Question,
     TomlTable,
     Units,
@@ -46,6 +50,8 @@ from ropsim.tomltext import (
 
 _WIDEST = 1.0
 """Greatest clearance [m]."""
+_GRAVITY = Quantity("m/s²", 1.0, -100.0, 100.0)
+_STANDARD_GRAVITY = (0.0, 0.0, -9.81)
 _OF_ROBOT = "a body of the robot has it: `base`, `link1` and so on, `tool:NAME`"
 
 
@@ -119,9 +125,12 @@ def _cell(root: TomlTable, folder_name: str, library: RobotLibrary) -> Cell | No
     if ROBOT in stations:
         head.text("program", "main")
     clearance = head.number("clearance", units.position.within(0.0, _WIDEST), 0.0)
+    falling = np.array(head.numbers("gravity", 3, _GRAVITY, _STANDARD_GRAVITY))
     head.finish()
     root.finish()
     known = {name: station for name, station in stations.items() if station is not None}
+    if "gravity" in head:
+        known = {name: under_gravity(station, falling) for name, station in known.items()}
     if not known or len(known) < len(stations):
         return None
     cell = Cell(

@@ -8,6 +8,7 @@ MEANINGS: Mapping[str, str] = {
     "cell.name": "Shown in reports; without it the name of the folder.",
     "cell.program": "Program that runs when the command names none.",
     "cell.clearance": "Distance that a run must keep between what moves and all else; 0 for none.",
+    "cell.gravity": "Acceleration of free fall in the world frame; a tilted base turns it for its robot.",
     "units": "Units of bare numbers in this file.",
     "units.length": "Unit of lengths, also in speeds and accelerations.",
     "units.angle": "Unit of angles, also in speeds and accelerations.",

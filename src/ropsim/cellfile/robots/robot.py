@@ -18,6 +18,7 @@ from ropsim.model import (
     PathDefaults,
     Rates,
     RobotModel,
+    Station,
     Synchronisation,
     axes_words,
     coupled_limits,
@@ -140,6 +141,17 @@ def _with_base(model: RobotModel, X_WB: Pose) -> RobotModel:
     if np.allclose(gravity, model.gravity, rtol=0.0, atol=_GRAVITY_ROUNDING):
         return model
     return replace(model, gravity=gravity)
+
+
+def under_gravity(station: Station, gravity: Array) -> Station:
+    """Return a station whose robot is under another acceleration of free fall.
+
+    Args:
+        station: with its base frame.
+        gravity: in the world frame [m/s²], shape (3,).
+    """
+    in_base = station.X_WB.rotation().T @ gravity
+    return replace(station, robot=replace(station.robot, gravity=frozen(in_base)))
 
 
 def _start(table: TomlTable, model: RobotModel, units: Units) -> Array:
