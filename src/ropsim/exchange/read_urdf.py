@@ -1,9 +1,10 @@
 """URDF, and xacro that makes it, become a robot."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from ropsim.core import SourceText
-from ropsim.exchange.assembly.description import Description
+from ropsim.exchange.assembly.description import Body, Connection, Description
 from ropsim.exchange.assembly.robot import read_robot
 from ropsim.exchange.files.arguments import no_arguments
 from ropsim.exchange.files.folder import STANDARD, ReadOptions
@@ -17,8 +18,9 @@ from ropsim.exchange.urdf.joints import connection_of, lost_of
 from ropsim.exchange.urdf.links import body_of
 from ropsim.exchange.urdf.shapes import materials_of
 from ropsim.exchange.xacro.expansion import expanded, uses_xacro
-from ropsim.model import ReadRobot
+from ropsim.model import Payload, ReadRobot
 
+_WORLD = "world"
 _READ = {"link", "joint", "material"}
 _OTHERS = Topic(
     LOST_DESCRIPTION, "elements for other programs", "elements {} for other programs do not go over"
@@ -64,15 +66,24 @@ def _description(root: Element, options: ReadOptions, notes: Notes) -> Descripti
         )
         return None
     materials = materials_of(root, notes)
-    bodies = [body_of(one, materials, options.folder, notes) for one in root.all("link")]
+    read = (body_of(one, materials, options.folder, notes) for one in root.all("link"))
     connections = [connection_of(one, notes) for one in root.all("joint")]
+    bodies = [one for one in read if one]
+    if _hangs_on_world(bodies, connections):
+        bodies.insert(0, Body(_WORLD, Payload(), (), root.span))
     _losses(root, notes)
     return Description(
         root.attributes.get("name", "").strip() or "robot",
-        tuple(one for one in bodies if one),
+        tuple(bodies),
         tuple(one for one in connections if one),
         root.span,
     )
+
+
+def _hangs_on_world(bodies: Sequence[Body], connections: Sequence[Connection | None]) -> bool:
+    """Return whether a joint has the ground as its parent, which simulators know without a link."""
+    is_link = any(one.name == _WORLD for one in bodies)
+    return not is_link and any(one is not None and one.parent == _WORLD for one in connections)
 
 
 def _losses(root: Element, notes: Notes) -> None:

@@ -382,3 +382,14 @@ def test_a_semantic_file_is_recognised() -> None:
     found = read_urdf(SourceText("a.srdf.xacro", '<robot name="a"><group name="arm"/></robot>'))
     assert found.robot is None
     assert "SRDF" in found.findings[0].message
+
+
+def test_the_ground_needs_no_link() -> None:
+    text = (
+        '<robot name="a"><link name="base"/><link name="arm"/>'
+        '<joint name="stand" type="fixed"><parent link="world"/><child link="base"/><origin xyz="0 0 1"/></joint>'
+        '<joint name="j" type="continuous"><parent link="base"/><child link="arm"/></joint></robot>'
+    )
+    robot = read(text)
+    assert robot.n == 1
+    np.testing.assert_allclose(forward(robot, [0.0]).position, [0.0, 0.0, 1.0], atol=EXACT)

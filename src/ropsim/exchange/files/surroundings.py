@@ -9,15 +9,13 @@ from ropsim.exchange.files.packages import Packages, own_package
 
 _WORKSPACE = "src"  # the folder of a workspace of ROS in which all packages lie
 _MOST_ABOVE = 4  # folders between a package and that
-_ROOMS = frozenset(("urdf", "urdfs", "xacro", "robots", "robot", "mjcf", "sdf", "xml", "model", "models"))
-"""Folders of robot files, whose meshes usually stand in a folder next to them."""
 
 
 def around_file(file: Path, packages: Mapping[str, str] = NO_PACKAGES) -> RobotFolder:
     """Return the files that a robot file anywhere on the disk may use; paths count from the drive.
 
-    Read are files of its package, the nearest folder upwards with a `package.xml`, else of its own folder, or
-    of the folder around that if it is called `urdf` or so; and files of packages that are given, or lie near
+    Read are files of its package, the nearest folder upwards with a `package.xml`, else of its own folder and
+    of the one around that, where meshes usually lie; and files of packages that are given, or lie near
     to it: below the folder `src` of a workspace, else below two folders above the package.
 
     Args:
@@ -26,7 +24,7 @@ def around_file(file: Path, packages: Mapping[str, str] = NO_PACKAGES) -> RobotF
     """
     start = _absolute(Path(file)).parent
     root = Path(start.anchor)
-    own = own_package(start, root) or (start.parent if start.name.lower() in _ROOMS else start)
+    own = own_package(start, root) or _around(start)
     given = {name: _from(root, _absolute(Path(place))) for name, place in packages.items()}
     found = Packages(root, start, _highest(own), {name: place for name, place in given.items() if place})
     return RobotFolder(root, found, _from(root, start), (_from(root, own),))
@@ -43,6 +41,14 @@ def in_project(project: Path, path: str, packages: Mapping[str, str] = NO_PACKAG
     beside = path.rpartition("/")[0]
     found = Packages(project, project / beside, project, packages)
     return RobotFolder(project, found, beside)
+
+
+def _around(start: Path) -> Path:
+    """Return the folder around another one; the latter itself where the home folder or a drive is around."""
+    home = Path("~").expanduser()
+    above = start.parent
+    is_wide = above in (above.parent, home, *home.parents)
+    return start if is_wide else above
 
 
 def _highest(own: Path) -> Path:

@@ -9,7 +9,7 @@ from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING, XML_REFUSED
 from ropsim.exchange.losses.names import shown
 from ropsim.exchange.losses.notes import Notes
 
-MOST_FILES = 50
+MOST_FILES = 200
 """Maximum number of included files, each once, as in MuJoCo."""
 
 
@@ -52,7 +52,7 @@ class _Includer:
             self._notes.add(ELEMENT_MISSING, one.span, words, "put it beside the robot file")
             return None
         if path in self._seen or len(self._seen) >= MOST_FILES:
-            self._refuse(one.span, f"`{shown(path)}` is included twice, or after {MOST_FILES} others")
+            self._refuse(one.span, f"`{shown(name)}` is included twice, or after {MOST_FILES} others")
             return None
         self._seen.add(path)
         return read_xml(SourceText(self._folder.name_of(path), text), self._notes)

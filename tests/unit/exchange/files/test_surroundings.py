@@ -78,6 +78,18 @@ def test_a_given_folder_counts_before_those_that_are_found(workspace: Path) -> N
     assert found == ["mine"]
 
 
+def test_without_a_manifest_the_folder_around_is_read_but_never_the_home_folder(
+    workspace: Path, tmp_path: Path
+) -> None:
+    place = tmp_path / "Downloads"
+    (place / "robots" / "arm").mkdir(parents=True)
+    for name in ("secret", "scene"):
+        (place / "robots" / name).write_text(name, "utf-8")
+    (place / "secret").write_text("secret", "utf-8")
+    assert texts(place / "robots" / "arm" / "arm.xml", "../scene", "../../secret") == ["scene", None]
+    assert texts(place / "arm.xml", "secret", "../secret") == ["secret", None]
+
+
 def test_without_a_manifest_the_folder_of_the_name_is_the_package(workspace: Path) -> None:
     arm = workspace / "plain_description" / "urdf"
     arm.mkdir(parents=True)
