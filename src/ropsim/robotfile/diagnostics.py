@@ -78,8 +78,8 @@ MASS_USED_UP = define(
     Severity.ERROR,
     "the links have more mass than the whole arm",
     """
-`mass` is that of all moving links together. The links that have a mass of their own have more than that, so
-nothing is left for the others.
+`mass` is that of all moving links together, `total_mass` that of the arm with its base. The links that have a
+mass of their own have more than that, so nothing is left for the others.
 """,
 )
 
@@ -116,8 +116,12 @@ NO_ESTIMATE = define(
     Severity.ERROR,
     "masses and drives of a robot cannot be estimated",
     """
-Masses follow from the rated payload and the lengths of an arm, drives from its masses, speeds and
-accelerations; both for serial arms of turning and sliding joints only. An arm with drives keeps them.
+Masses follow from the mass of the whole arm, or from its rated payload and its lengths; torque limits from
+what gravity asks with the rated payload, rotors and friction from torque limits and speeds. All of it is for
+serial arms of turning and sliding joints and for palletizers only. An arm with drives keeps them.
+
+**How to mend it.** Give the mass or the payload that is missing: `--mass` and `--payload` of `ropsim robot
+estimate`, or `total_mass` and `payload` in a robot file. The rules are in docs/explanation/estimates.md.
 """,
 )
 

@@ -17,7 +17,7 @@ robot = "puma560"
 robot = "irb120"
 base = { position = [1000, 0, 0], rpy = [0, 90, 0] }
 [stations.lift]
-mechanism = { kind = "slide", low = 0, high = 500, speed = 200, acceleration = 800, mass = 30, size = [99, 99, 9] }
+mechanism = { kind = "slide", low = 0, high = 1, speed = 1, acceleration = 1, mass = 30, size = [99, 99, 9] }
 """
 MOON = "[cell]\ngravity = [0, 0, -1.62]\n"
 

@@ -45,7 +45,7 @@ from ropsim.robotfile.estimation.link_masses import (
     total_mass,
 )
 from ropsim.robotfile.estimation.loads import axis_loads
-from ropsim.robotfile.estimation.palletizer_masses import palletizer_links
+from ropsim.robotfile.estimation.palletizer_masses import palletizer_length, palletizer_links
 from ropsim.robotfile.estimation.recognition import arm_class_of, level_chain
 from ropsim.robotfile.estimation.rotors import gear_ratios, rotors_at_joints
 from ropsim.robotfile.estimation.torque_limits import torque_limits
@@ -176,9 +176,10 @@ def _with_masses(
 ) -> tuple[RobotModel, ParameterOrigin]:
     """Return an arm with masses by rule, and their origin."""
     known = isfinite(facts.total_mass)
-    serial = robot.joints if not robot.couplings else robot.axis_joints
-    whole = facts.total_mass if known else total_mass(arm_class, payload, extended_length(serial, robot.X_nM))
-    if arm_class is ArmClass.PALLETIZER and level_chain(robot):
+    is_level = bool(level_chain(robot))
+    length = palletizer_length(robot) if is_level else extended_length(robot.joints, robot.X_nM)
+    whole = facts.total_mass if known else total_mass(arm_class, payload, length)
+    if is_level:
         links: Sequence[Link] = palletizer_links(robot, whole)
     else:
         masses = link_masses(arm_class, robot.n, whole).links

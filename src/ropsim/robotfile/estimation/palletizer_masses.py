@@ -42,6 +42,13 @@ def palletizer_links(robot: RobotModel, total: float) -> tuple[Link, ...]:
     return tuple(found)
 
 
+def palletizer_length(robot: RobotModel) -> float:
+    """Return the length of the stretched palletizer from axis 2 to the wrist and on to axis 4 [m]."""
+    _, *chain = level_chain(robot)
+    places = frames_batch(robot, robot.home[None])[0, chain, :3, 3]
+    return float(np.linalg.norm(np.diff(places, axis=0), axis=1).sum())
+
+
 def _lines(robot: RobotModel, chain: tuple[int, ...]) -> list[tuple[Array, Array]]:
     """Return from where to where the bodies reach, in the frames of their joints [m]."""
     moved = robot.home + 0.1 * np.arange(1.0, robot.n + 1.0)

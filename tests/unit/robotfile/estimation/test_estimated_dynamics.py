@@ -212,6 +212,13 @@ def test_gravity_by_the_potential_energy_is_that_of_the_dynamics(name: str) -> N
         np.testing.assert_allclose(gravity_torques(robot, q[None])[0], np.abs(tau), atol=1e-4)
 
 
+def test_a_palletizer_without_a_known_mass_has_one_by_payload_and_reach() -> None:
+    """38·180^0.20·2.89^1.88 = 790 kg: lower arm 1.28, forearm 1.35 and wrist 0.26 m; lists say 1,650 kg."""
+    robot = estimated(bare("irb660_180_315"))
+    whole = 38.0 * 180.0**0.2 * (1.28 + 1.35 + 0.26) ** 1.88
+    assert sum(link.mass for link in robot.links) == pytest.approx(0.81 * whole)
+
+
 @pytest.mark.parametrize("name", ["irb2400_16", "m10ia_12"])
 def test_an_arm_with_a_coupled_axis_keeps_its_crank(name: str) -> None:
     robot = bare(name)
