@@ -6,7 +6,6 @@ from dataclasses import replace
 from ropsim.core import SourceText
 from ropsim.exchange.assembly.description import Connection, Description, Motion
 from ropsim.exchange.assembly.robot import read_robot
-from ropsim.exchange.files.arguments import no_arguments
 from ropsim.exchange.files.folder import STANDARD, ReadOptions
 from ropsim.exchange.files.values import finite, numbers_of
 from ropsim.exchange.files.xml_tree import Element, read_xml
@@ -24,6 +23,7 @@ from ropsim.exchange.mjcf.geoms import assets_of
 from ropsim.exchange.mjcf.includes import with_included
 from ropsim.exchange.mjcf.settings import settings_of
 from ropsim.exchange.mjcf.weight_rules import scaled_to_total
+from ropsim.exchange.xacro.expansion import refuse_arguments
 from ropsim.model import ReadRobot
 
 _SILENT = {
@@ -56,7 +56,7 @@ def read_mjcf(source: SourceText, options: ReadOptions = STANDARD) -> ReadRobot:
     """
     notes = Notes()
     root = read_xml(source, notes)
-    no_arguments(options, source, notes)
+    refuse_arguments(options, source, notes)
     whole = with_included(root, options.folder, notes) if root else None
     description = _description(whole, options, notes) if whole else None
     made = read_robot(description, options.tip, source, notes)

@@ -6,7 +6,6 @@ from dataclasses import replace
 from ropsim.core import SourceText
 from ropsim.exchange.assembly.description import Body, Connection, Description
 from ropsim.exchange.assembly.robot import read_robot
-from ropsim.exchange.files.arguments import no_arguments
 from ropsim.exchange.files.folder import STANDARD, ReadOptions
 from ropsim.exchange.files.xml_tree import Element, read_xml
 from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING
@@ -17,7 +16,7 @@ from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.urdf.joints import connection_of, lost_of
 from ropsim.exchange.urdf.links import body_of
 from ropsim.exchange.urdf.shapes import materials_of
-from ropsim.exchange.xacro.expansion import expanded, uses_xacro
+from ropsim.exchange.xacro.expansion import expanded, refuse_arguments, uses_xacro
 from ropsim.model import Payload, ReadRobot
 
 _WORLD = "world"
@@ -48,7 +47,7 @@ def read_urdf(source: SourceText, options: ReadOptions = STANDARD) -> ReadRobot:
         whole = expanded(root, options, notes)
     else:
         whole = root
-        no_arguments(options, source, notes)
+        refuse_arguments(options, source, notes)
     description = _description(whole, options, notes) if whole else None
     made = read_robot(description, options.tip, source, notes)
     return replace(made, files=options.folder.files)

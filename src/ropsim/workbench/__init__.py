@@ -35,6 +35,7 @@ from ropsim.workbench.projects.project import FailedRunError as FailedRunError
 from ropsim.workbench.projects.project import Project as Project
 from ropsim.workbench.projects.project import ProjectError as ProjectError
 from ropsim.workbench.projects.replay import pack_of as pack_of
+from ropsim.workbench.robots.carried_meshes import CarriedRobot as CarriedRobot
 from ropsim.workbench.robots.carried_meshes import carried as carried
 from ropsim.workbench.robots.carried_meshes import plain_name as plain_name
 from ropsim.workbench.robots.carried_meshes import project_of_robot as project_of_robot

@@ -387,7 +387,8 @@ def test_a_semantic_file_is_recognised() -> None:
 def test_the_ground_needs_no_link() -> None:
     text = (
         '<robot name="a"><link name="base"/><link name="arm"/>'
-        '<joint name="stand" type="fixed"><parent link="world"/><child link="base"/><origin xyz="0 0 1"/></joint>'
+        '<joint name="stand" type="fixed"><parent link="world"/><child link="base"/>'
+        '<origin xyz="0 0 1"/></joint>'
         '<joint name="j" type="continuous"><parent link="base"/><child link="arm"/></joint></robot>'
     )
     robot = read(text)

@@ -49,7 +49,7 @@ def robot(commands: Commands) -> None:
     import_ = command(
         actions,
         "import",
-        "robot_import:import_",
+        "robot_export:export",
         "take a robot of another format into a project, with its meshes",
     )
     import_.add_argument("name", metavar="FILE", help="the file, such as arm.urdf or arm.xacro")

@@ -6,20 +6,22 @@ from dataclasses import replace
 from math import inf
 from pathlib import Path
 
-from ropsim.cli.terminal.named_robot import named_robot
-from ropsim.cli.terminal.output import Output, cannot_write
-from ropsim.core import Diagnostic, replace_file
+from ropsim.cli.terminal.named_robot import asked_robot, write_robot_file
+from ropsim.cli.terminal.output import Output
+from ropsim.core import Diagnostic
 from ropsim.model import ArmClass
 from ropsim.records import diagnostic_document
 from ropsim.robotfile import ArmFacts, estimated_dynamics
-from ropsim.workbench import RobotFileError, written_robot
+from ropsim.workbench import carried, written_robot
 
 
 def estimate(options: argparse.Namespace, output: Output) -> int:
     """Write a robot with missing masses and drives estimated."""
-    robot = named_robot(options, output)
-    if robot is None:
+    asked = asked_robot(options, output)
+    if asked.robot is None:
         return 1
+    moved = carried(asked.robot, asked.mesh_root, Path(options.file))
+    robot = moved.robot
     if options.arm_class:
         robot = replace(robot, arm_class=ArmClass(options.arm_class))
     if options.payload:
@@ -29,10 +31,7 @@ def estimate(options: argparse.Namespace, output: Output) -> int:
     findings = (made,) if isinstance(made, Diagnostic) else written.losses if written else ()
     output.findings(findings, {})
     if written and written.text:
-        try:
-            replace_file(Path(options.file), written.text.encode("utf-8"))
-        except OSError as error:
-            raise RobotFileError(cannot_write(options.file, error)) from error
+        write_robot_file(options.file, written.text, moved)
         remark = f"wrote {options.file}, its masses or drives are estimates and reports say so"
         output.text(f"{remark}; next: ropsim new my_cell --robot {shlex.quote(options.file)}")
     is_written = bool(written and written.text)

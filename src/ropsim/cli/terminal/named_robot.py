@@ -1,11 +1,13 @@
-"""The robot that a command is about: built in, or from a file whose findings are printed."""
+"""The robot that a command is about: built in, or from a file whose findings are printed; and its new file."""
 
 import argparse
+from pathlib import Path
 
-from ropsim.cli.terminal.output import Output
+from ropsim.cli.terminal.output import Output, cannot_write
+from ropsim.core import replace_file
 from ropsim.model import RobotModel, RobotSource
 from ropsim.records import diagnostic_document
-from ropsim.workbench import NamedRobot, find_robot
+from ropsim.workbench import CarriedRobot, NamedRobot, RobotFileError, find_robot, project_of_robot
 
 
 def named_robot(options: argparse.Namespace, output: Output) -> RobotModel | None:
@@ -42,3 +44,23 @@ def say_tip(found: NamedRobot, output: Output) -> None:
 def requested(options: argparse.Namespace, name: str) -> RobotSource:
     """Return the robot of a command with tip, packages and arguments."""
     return RobotSource(name, options.tip, tuple(options.package), tuple(options.arg))
+
+
+def write_robot_file(file: str, text: str, moved: CarriedRobot) -> None:
+    """Write a robot file, and copy the meshes of the robot into its project.
+
+    Args:
+        file: path of the file; its folder is made.
+        text: of the file.
+        moved: the robot with its meshes at their new places.
+
+    Raises:
+        RobotFileError: X847, a file cannot be written.
+    """
+    place = Path(file)
+    try:
+        place.parent.mkdir(parents=True, exist_ok=True)
+        moved.copy(project_of_robot(place))
+        replace_file(place, text.encode("utf-8"))
+    except OSError as error:
+        raise RobotFileError(cannot_write(file, error)) from error

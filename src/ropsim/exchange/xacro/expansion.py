@@ -33,6 +33,13 @@ def expanded(root: Element, options: ReadOptions, notes: Notes) -> Element | Non
         return None
 
 
+def refuse_arguments(options: ReadOptions, source: SourceText, notes: Notes) -> None:
+    """Note that arguments are given for a file that is no xacro file: they would have no effect."""
+    if options.arguments:
+        words = f"the file takes no arguments, given are {listed(options.arguments)}"
+        notes.add(XACRO, source.span(1), words, "leave `--arg` out, in a cell file `arg`")
+
+
 class _PlacedError(Exception):
     def __init__(self, span: Span, message: str, hint: str) -> None:
         super().__init__(message)

@@ -45,13 +45,15 @@ def project_of_robot(file: Path) -> Path:
 
 
 def carried(robot: RobotModel, root: Path, file: Path) -> CarriedRobot:
-    """Return a robot with its meshes in the folder `meshes` beside a file.
+    """Return a robot with its meshes in the folder `meshes` beside a file; in its own project they stay.
 
     Args:
         robot: its mesh paths count from `root`.
         root: folder.
         file: new file of the robot, in a project.
     """
+    if root.resolve() == project_of_robot(file):
+        return CarriedRobot(robot, {})
     beside = file.resolve().parent.relative_to(project_of_robot(file)).as_posix()
     stem = plain_name(file)
     folder = f"meshes/{stem}" if beside == "." else f"{beside}/meshes/{stem}"

@@ -244,3 +244,24 @@ def test_a_file_that_an_argument_names_wrongly_is_answered_with_the_arguments(ma
         load_robot(maker)
     assert "`reach=0.4`" in error.value.diagnostic.hint
     assert "--arg NAME=VALUE" in error.value.diagnostic.hint
+
+
+@pytest.mark.parametrize("words", [["export"], ["estimate"], ["import"]])
+def test_every_written_file_has_its_meshes_beside_it(maker: Path, tmp_path: Path, words: list[str]) -> None:
+    weighs = LINKS.replace(
+        '<link name="lower"/>',
+        '<link name="lower"><inertial><mass value="2"/><inertia ixx="0.1" iyy="0.1" izz="0.1" '
+        'ixy="0" ixz="0" iyz="0"/></inertial></link>',
+    )
+    (maker.parents[2] / "resources" / "urdf" / "links.xacro").write_text(weighs, "utf-8")
+    target = tmp_path / "cell" / "robots" / "arm.stp"
+    to = ["--to", str(target)] if words == ["import"] else [str(target)]
+    if main(["robot", *words, str(maker), *to]) == 0:
+        assert load_robot(target).base_shapes[0].solid == Mesh("robots/meshes/arm/part.stl")
+        assert (tmp_path / "cell" / "robots" / "meshes" / "arm" / "part.stl").read_bytes() == STL
+    else:
+        assert words == ["estimate"]
+    again = tmp_path / "cell" / "robots" / "again.stp"
+    if target.exists():
+        assert main(["robot", "export", str(target), str(again)]) == 0
+        assert load_robot(again).base_shapes == load_robot(target).base_shapes
