@@ -1,4 +1,4 @@
-"""The robot that a command is about: built in, or from a file whose findings are printed; and its new file."""
+"""The robot of a command: built in, or from a file whose findings are printed; and the file it becomes."""
 
 import argparse
 from pathlib import Path
