@@ -59,6 +59,24 @@ def test_the_controller_of_an_unknown_robot_is_an_unknown_robot() -> None:
         robots.default_controller("pumba")
 
 
+GROUPS = ("mass", "torque", "gear", "friction", "acceleration")
+ARMS = sorted({one.name for one in robots.catalogue() if one.maker} - {"patu655"})
+"""Arms of makers with motors at their joints."""
+
+
+@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize("group", GROUPS)
+def test_every_arm_says_where_its_dynamics_are_from(name: str, group: str) -> None:
+    found = [one for one in robots.load(name).origins if group in one.parameters]
+    assert found
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_what_no_source_confirms_is_an_input_of_estimates_only(name: str) -> None:
+    for one in robots.load(name).origins:
+        assert one.kind == "estimated" or "not confirmed" not in one.source
+
+
 @pytest.mark.parametrize("name", robots.names())
 def test_every_group_of_parameters_states_where_it_comes_from(name: str) -> None:
     origins = robots.load(name).origins

@@ -72,6 +72,17 @@ def test_many_estimates_are_counted_so_that_the_line_stays_one() -> None:
     assert len(", ".join(names)) > SHORT
 
 
+def test_of_many_estimates_those_with_an_accuracy_are_named_and_the_others_counted() -> None:
+    """How far torques and lags may be off is said in the line of the verdict, not hidden in a number."""
+    names = ["home position", "masses (loads ±12 %)", "shapes", "torque limits (×1.7)", "friction (×3)"]
+    text = line_of(with_facts(*names))
+    assert text.endswith(
+        " · estimated: masses (loads ±12 %), torque limits (×1.7), friction (×3), 2 other groups of parameters"
+    )
+    text = line_of(with_facts("masses (loads ±12 %)", "torque limits (×1.7)", "friction (×3)"))
+    assert text.endswith(" · estimated: masses (loads ±12 %), torque limits (×1.7), friction (×3)")
+
+
 def test_each_line_with_a_zone_counts_once_and_lines_without_do_not() -> None:
     assert summarize(zoned((3, 0.05), (3, 0.05), (7, 0.01), (9, 0.0))).unchecked.fine_stops == (3, 7)
     assert line_of(zoned((3, 0.05))).endswith("zones not flown (fine stop) on 1 line")
