@@ -76,9 +76,8 @@ def test_of_many_estimates_those_with_an_accuracy_are_named_and_the_others_count
     """How far torques and lags may be off is said in the line of the verdict, not hidden in a number."""
     names = ["home position", "masses (loads ±12 %)", "shapes", "torque limits (×1.7)", "friction (×3)"]
     text = line_of(with_facts(*names))
-    assert text.endswith(
-        " · estimated: masses (loads ±12 %), torque limits (×1.7), friction (×3), 2 other groups of parameters"
-    )
+    named = "masses (loads ±12 %), torque limits (×1.7), friction (×3)"
+    assert text.endswith(f" · estimated: {named}, 2 other groups of parameters")
     text = line_of(with_facts("masses (loads ±12 %)", "torque limits (×1.7)", "friction (×3)"))
     assert text.endswith(" · estimated: masses (loads ±12 %), torque limits (×1.7), friction (×3)")
 
