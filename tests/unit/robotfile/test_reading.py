@@ -134,6 +134,29 @@ def test_a_link_keeps_its_own_mass_and_the_others_get_the_rest() -> None:
     assert [link.mass for link in robot.links] == [9.0, pytest.approx(3.0)]
 
 
+def test_the_mass_with_the_base_leaves_the_share_of_the_moving_links() -> None:
+    robot = arm("total_mass = 40\n" + TWO_JOINTS)
+    assert sum(link.mass for link in robot.links) == pytest.approx(0.71 * 40.0)
+
+
+def test_all_masses_and_the_mass_with_the_base_stand_beside_each_other() -> None:
+    robot = arm("total_mass = 40\nlinks = [{ mass = 22 }, { mass = 11 }]\n" + TWO_JOINTS)
+    assert [link.mass for link in robot.links] == [22.0, 11.0]
+
+
+@pytest.mark.parametrize(
+    ("rows", "key"),
+    [("[{ mass = 30 }, { mass = 11 }]", "total_mass"), ("[{ mass = 30 }, {}]", "total_mass")],
+)
+def test_links_with_more_mass_than_the_arm_are_an_error_at_its_mass(rows: str, key: str) -> None:
+    text = f"total_mass = 40\nlinks = {rows}\n{TWO_JOINTS}"
+    (found,) = [one for one in read_robot_file(SourceText("a.toml", text)).findings if one.is_error]
+    assert found.code == "X906"
+    assert f"`{key}` with the base is 40 kg" in found.message
+    assert found.span
+    assert found.span.line == 1
+
+
 def test_home_is_zero_or_the_middle_of_a_range_without_zero() -> None:
     robot = arm(TWO_JOINTS.replace("[-150, 150]", "[20, 60]"))
     np.testing.assert_allclose(np.degrees(robot.home), [0.0, 40.0])
