@@ -24,6 +24,7 @@ class RobotFolder:
         packages: folder of each package, from the root on, with `/`.
         beside: folder of the robot file, from the root on, with `/`.
         open: folders whose files are read, in addition to those of found packages; empty text for the root.
+        named_from: folder from which messages name files; None for full names.
         read: paths that were read or looked for; not part of the content.
     """
 
@@ -31,6 +32,7 @@ class RobotFolder:
     packages: Mapping[str, str] = field(default_factory=lambda: NO_PACKAGES)
     beside: str = ""
     open: tuple[str, ...] = ("",)
+    named_from: Path | None = None
     read: set[str] = field(default_factory=set, compare=False, repr=False)
 
     def path(self, name: str, beside: str | None = None) -> str | None:
@@ -82,8 +84,12 @@ class RobotFolder:
         return None if inside.startswith("..") else inside
 
     def name_of(self, path: str) -> str:
-        """Return the name by which messages speak of a file."""
-        return path if self.root is None else str(self.root / path)
+        """Return the name by which messages speak of a file: from `named_from` on if it is in there."""
+        if self.root is None:
+            return path
+        place = self.root / path
+        inside = self.named_from is not None and place.is_relative_to(self.named_from)
+        return str(place.relative_to(self.named_from) if self.named_from and inside else place)
 
     def has(self, path: str) -> bool:
         """Return whether a file is there, and not by a link that leads out of the open folders."""

@@ -27,7 +27,7 @@ def around_file(file: Path, packages: Mapping[str, str] = NO_PACKAGES) -> RobotF
     own = own_package(start, root) or _around(start)
     given = {name: _from(root, _absolute(Path(place))) for name, place in packages.items()}
     found = Packages(root, start, _highest(own), {name: place for name, place in given.items() if place})
-    return RobotFolder(root, found, _from(root, start), (_from(root, own),))
+    return RobotFolder(root, found, _from(root, start), (_from(root, own),), Path.cwd())
 
 
 def in_project(project: Path, path: str, packages: Mapping[str, str] = NO_PACKAGES) -> RobotFolder:
