@@ -3,8 +3,8 @@
 from typing import TYPE_CHECKING
 
 from ropsim.core import Diagnostic, SourceText, plural
+from ropsim.exchange.losses.gathered import listed
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
-from ropsim.exchange.losses.names import listed
 from ropsim.model import RobotModel, WrittenRobot
 
 if TYPE_CHECKING:

@@ -10,9 +10,8 @@ from ropsim.exchange.files.folder import STANDARD, ReadOptions
 from ropsim.exchange.files.values import finite, numbers_of
 from ropsim.exchange.files.xml_tree import Element, read_xml
 from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING
-from ropsim.exchange.losses.gathered import Topic
+from ropsim.exchange.losses.gathered import Topic, shown
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_MOTION
-from ropsim.exchange.losses.names import shown
 from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.mjcf.actuators import axis_names, driven
 from ropsim.exchange.mjcf.attributes import check_attributes

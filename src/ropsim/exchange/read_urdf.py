@@ -9,9 +9,8 @@ from ropsim.exchange.assembly.robot import read_robot
 from ropsim.exchange.files.folder import STANDARD, ReadOptions
 from ropsim.exchange.files.xml_tree import Element, read_xml
 from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING
-from ropsim.exchange.losses.gathered import Topic
+from ropsim.exchange.losses.gathered import Topic, shown
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
-from ropsim.exchange.losses.names import shown
 from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.urdf.joints import connection_of, lost_of
 from ropsim.exchange.urdf.links import body_of

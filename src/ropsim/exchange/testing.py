@@ -16,7 +16,7 @@ from ropsim.exchange.writing.write_losses import friction_at_joint as friction_a
 from ropsim.exchange.writing.write_losses import rotor_at_joint as rotor_at_joint
 from ropsim.exchange.writing.written_tree import written_tree as written_tree
 from ropsim.exchange.xacro.expansion import expanded as expanded
-from ropsim.exchange.xacro.formulas.evaluation import value_of as value_of
+from ropsim.exchange.xacro.formulas.parser import value_of as value_of
 from ropsim.exchange.xacro.formulas.values import Value as Value
 from ropsim.exchange.xacro.formulas.values import XacroError as XacroError
 from ropsim.exchange.xacro.formulas.values import bounded as bounded

@@ -5,8 +5,8 @@ from math import isfinite
 
 from ropsim.core import Diagnostic, Kind
 from ropsim.exchange.files.names import BASE, link_name
+from ropsim.exchange.losses.gathered import listed
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE, LOST_MASS, LOST_MOTION
-from ropsim.exchange.losses.names import listed
 from ropsim.exchange.writing.write_losses import drive_losses, word_losses
 from ropsim.model import Friction, RobotModel, WrittenRobot
 

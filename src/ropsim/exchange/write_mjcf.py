@@ -6,8 +6,8 @@ from ropsim.core import Diagnostic
 from ropsim.exchange.files.names import BASE, FLANGE
 from ropsim.exchange.files.xml_text import Tag, number, numbers, tag, xml_text
 from ropsim.exchange.losses.diagnostics import DOUBTFUL_BODY
+from ropsim.exchange.losses.gathered import listed
 from ropsim.exchange.losses.loss_diagnostics import LOST_MOTION
-from ropsim.exchange.losses.names import listed
 from ropsim.exchange.mjcf.custom import axis_limits
 from ropsim.exchange.mjcf.cuts import HeldPoint, held_points, lost_cuts
 from ropsim.exchange.mjcf.text import assets, geoms, inertial, mesh_names, placed

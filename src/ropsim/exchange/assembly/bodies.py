@@ -9,9 +9,8 @@ from ropsim.exchange.assembly.description import Body, Description, Motion
 from ropsim.exchange.assembly.link_tree import LinkTree
 from ropsim.exchange.files.names import BASE, FLANGE, link_name
 from ropsim.exchange.losses.diagnostics import DOUBTFUL_BODY
-from ropsim.exchange.losses.gathered import Topic
+from ropsim.exchange.losses.gathered import Topic, shown
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
-from ropsim.exchange.losses.names import shown
 from ropsim.exchange.losses.notes import Notes
 from ropsim.model import BASE_LINK, Joint, Link, Payload, Shape, combine, moved
 from ropsim.spatial import Pose

@@ -3,9 +3,8 @@
 from math import inf, pi
 
 from ropsim.exchange.assembly.description import Connection, Limits, Motion
-from ropsim.exchange.losses.diagnostics import BAD_NUMBER, ELEMENT_MISSING, LIMIT_UNKNOWN, RANGE_UNKNOWN
-from ropsim.exchange.losses.gathered import Topic
-from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.diagnostics import BAD_NUMBER, DOUBTFUL_RANGE, ELEMENT_MISSING, LIMIT_UNKNOWN
+from ropsim.exchange.losses.gathered import Topic, shown
 from ropsim.exchange.losses.notes import Notes
 from ropsim.model import JointLimits
 
@@ -40,17 +39,26 @@ _EFFORT = Topic(
     "write the numbers of the data sheet into it",
 )
 _ABSENT = Topic(
-    RANGE_UNKNOWN,
+    DOUBTFUL_RANGE,
     "no limits",
     "the file says no lower and no upper limit of joints {}: they turn without end",
     "write the limits of the data sheet into it",
 )
 _EQUAL = Topic(
-    RANGE_UNKNOWN,
+    DOUBTFUL_RANGE,
     "equal limits",
     "the file says one number for the lower and the upper limit of joints {}: they turn without end",
     "write the limits of the data sheet into it",
 )
+_DEGREES = Topic(
+    DOUBTFUL_RANGE,
+    "limits like degrees",
+    "the limits of joints {} look like degrees and are read as radians, as the format says",
+    "write the limits in radians",
+)
+_TURNS = 30.0  # rad, five turns: limits beyond them are degrees more often than not
+_MOST_DEGREES = 800.0
+_STAND_INS = (100.0, 500.0)  # limits that stand for none
 
 
 def limits_of(one: Connection) -> JointLimits:
@@ -87,9 +95,20 @@ def unknown_limits(joints: list[Connection], notes: Notes) -> None:
             notes.gather(topic, spans[names[0]], names)
 
 
+def _in_degrees(lower: float, upper: float) -> bool:
+    """Return whether limits are whole or half numbers of the size of degrees, and not stand-ins for none."""
+    ends = (abs(lower), abs(upper))
+    size = max(ends) not in _STAND_INS and _TURNS <= max(ends) <= _MOST_DEGREES
+    return size and all((2.0 * one).is_integer() for one in ends)
+
+
 def _range(one: Connection, notes: Notes) -> None:
     lower, upper = one.limits.lower, one.limits.upper
     if lower < upper and lower != -inf:
+        if one.motion is Motion.TURN and _in_degrees(lower, upper):
+            notes.gather(
+                _DEGREES, one.span, [one.name], f"`{shown(one.name)}` has {lower:g} to {upper:g} rad"
+            )
         return
     if one.motion is Motion.TURN:
         figures = "" if lower == -inf else f"both are {lower:g} rad of `{shown(one.name)}`"

@@ -6,9 +6,8 @@ from ropsim.core import Span, frozen_dataclass
 from ropsim.exchange.assembly.description import Connection, Motion
 from ropsim.exchange.assembly.link_tree import LinkTree
 from ropsim.exchange.losses.diagnostics import BROKEN_TREE, JOINT_IMPOSSIBLE, UNKNOWN_ENTITY
-from ropsim.exchange.losses.gathered import Topic
+from ropsim.exchange.losses.gathered import Topic, listed
 from ropsim.exchange.losses.loss_diagnostics import LOST_MOTION
-from ropsim.exchange.losses.names import listed
 from ropsim.exchange.losses.notes import Notes
 
 _RESTING = Topic(

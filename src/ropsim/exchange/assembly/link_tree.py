@@ -12,7 +12,7 @@ from ropsim.exchange.losses.diagnostics import (
     SAME_ENTITY,
     UNKNOWN_ENTITY,
 )
-from ropsim.exchange.losses.names import listed
+from ropsim.exchange.losses.gathered import listed
 from ropsim.exchange.losses.notes import Notes
 
 MOST_JOINTS = 200

@@ -2,16 +2,19 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from math import inf
 from pathlib import PurePath
 
 from ropsim.core import SourceText, Span
 from ropsim.exchange.assembly.aligned import aligned, displaced, with_added_turns
 from ropsim.exchange.assembly.bodies import Carried, carried_names, links_of, weight_findings
+from ropsim.exchange.assembly.cut_ranges import note_cut_ranges
 from ropsim.exchange.assembly.description import Connection, Description, Motion
 from ropsim.exchange.assembly.joint_limits import limits_of, unknown_limits, unknown_names
 from ropsim.exchange.assembly.kept_joints import KeptJoints, kept_joints
 from ropsim.exchange.assembly.link_tree import LinkTree, link_tree
 from ropsim.exchange.assembly.tip import ChosenTip, tip_of
+from ropsim.exchange.assembly.weak_efforts import weak_axes
 from ropsim.exchange.losses.notes import Notes
 from ropsim.model import (
     BASE_LINK,
@@ -80,7 +83,7 @@ def _robot(
         return None
     weight_findings(description, joints, links, interface, notes)
     carried_names(description, tree, placed, tip, notes)
-    return RobotModel(
+    robot = RobotModel(
         name=description.name,
         title=description.name,
         joints=joints,
@@ -95,6 +98,25 @@ def _robot(
         X_nM=interface,
         tip=carrier,
     )
+    note_cut_ranges(robot, driven, notes)
+    return _that_carries_itself(robot, driven, source, notes) if drives else robot
+
+
+def _that_carries_itself(
+    robot: RobotModel, driven: Sequence[Connection], source: SourceText, notes: Notes
+) -> RobotModel:
+    """Return a robot without the limits of effort that cannot carry its weight (noted)."""
+    weak = weak_axes(robot, driven, notes)
+    if not weak:
+        return robot
+    joints, drives = list(robot.joints), list(robot.drives)
+    for axis in weak:
+        joints[robot.axes[axis]] = replace(joints[robot.axes[axis]], max_effort=inf)
+        drives[axis] = _drive(driven[axis], inf)
+    names = ", ".join(driven[axis].name for axis in weak)
+    words = f"those of {source.name} cannot carry the weight: joints {names} have none"
+    origin = ParameterOrigin("greatest efforts", "estimated", words)
+    return replace(robot, joints=tuple(joints), drives=tuple(drives), origins=(*robot.origins, origin))
 
 
 def _places(description: Description, moved: Sequence[Connection], driven: Sequence[Connection]) -> PlaceOf:

@@ -7,7 +7,7 @@ from ropsim.exchange.assembly.description import Description
 from ropsim.exchange.assembly.ends import axes_before, ends_of
 from ropsim.exchange.assembly.link_tree import LinkTree
 from ropsim.exchange.losses.diagnostics import TIP_UNCLEAR, UNKNOWN_ENTITY
-from ropsim.exchange.losses.names import listed
+from ropsim.exchange.losses.gathered import listed
 from ropsim.exchange.losses.notes import Notes
 from ropsim.model import Tip
 from ropsim.spatial import Pose

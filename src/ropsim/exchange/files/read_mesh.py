@@ -3,9 +3,8 @@
 from ropsim.core import Span
 from ropsim.exchange.files.folder import SCHEMES, RobotFolder
 from ropsim.exchange.losses.diagnostics import MESH_MISSING
-from ropsim.exchange.losses.gathered import Topic
+from ropsim.exchange.losses.gathered import Topic, shown
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
-from ropsim.exchange.losses.names import shown
 from ropsim.exchange.losses.notes import Notes
 from ropsim.model import MESH_ENDINGS, Mesh
 

@@ -5,7 +5,7 @@ from math import sqrt
 
 from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.diagnostics import BAD_NUMBER, ELEMENT_MISSING
-from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.gathered import shown
 from ropsim.exchange.losses.notes import Notes
 
 LARGEST = 1e12

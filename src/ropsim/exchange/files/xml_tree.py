@@ -7,7 +7,7 @@ from xml.parsers import expat
 
 from ropsim.core import SourceText, Span, frozen_dataclass
 from ropsim.exchange.losses.diagnostics import NOT_XML, XML_REFUSED
-from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.gathered import shown
 from ropsim.exchange.losses.notes import Notes
 
 MOST_CHARACTERS = 20_000_000

@@ -1,4 +1,4 @@
-"""Findings on a robot in URDF, xacro or MJCF (codes X980 to X992, X998, X999)."""
+"""Findings on a robot in URDF, xacro or MJCF (codes X979 to X992, X998, X999)."""
 
 from ropsim.core import Severity, define
 
@@ -182,11 +182,11 @@ make is bounded (X981).
 """,
 )
 
-RANGE_UNKNOWN = define(
+DOUBTFUL_RANGE = define(
     "X999",
-    "robot-range-unknown",
+    "robot-range-doubtful",
     Severity.WARNING,
-    "a robot file says no range of a joint that turns, or one without width",
+    "the range of a joint is not known, is in another unit, or cannot be used up",
     """
 A joint that turns has a lower and an upper limit, unless it is `continuous`. Exporters of CAD programs write
 0 for both where nobody has entered them, and some files leave the `limit` out. Such a joint is read as one
@@ -194,6 +194,25 @@ that turns without end: postures are allowed that the real joint does not reach.
 
 Write the limits of the data sheet into the file. A joint that slides without limits, or with two that are
 the same, is an error (X982, X983).
+
+Limits such as -170 and 170 are degrees that were not converted: URDF has radians. They are read as the format
+says. And where a joint follows another one (`mimic`), its own limits can leave less of the range of that one
+than the file says; the message has the range that is left.
+""",
+)
+
+WEAK_EFFORT = define(
+    "X979",
+    "robot-effort-too-small",
+    Severity.WARNING,
+    "the greatest effort of a joint cannot carry the weight of the arm",
+    """
+In some posture within the limits of the joints, gravity alone asks more of a joint than the greatest effort
+that the file says. Such numbers are placeholders, such as 1 or 10 for each joint, or the masses are. With
+them no motion can be planned, so the joint is read without such a limit; the model marks that as `estimated`.
+
+Look the torques of the axes up, or the masses. An arm whose weight is balanced by springs or by a
+counterweight has a small effort for a reason; robot files have no place for the balance.
 """,
 )
 

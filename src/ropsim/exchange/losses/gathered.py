@@ -1,10 +1,11 @@
-"""Findings of one kind become one finding: losses and lacks that a file has at many links and joints."""
+"""Findings of one kind become one finding: losses and lacks of many links and joints, by their names."""
 
 from collections.abc import Iterable, Mapping
 
 from ropsim.core import Diagnostic, Kind, Span, frozen_dataclass
-from ropsim.exchange.losses.names import listed
 
+NAMED = 6
+"""Number of entities named in a message."""
 _FEW = 3  # topics of which two names are in the message, one otherwise
 
 
@@ -57,3 +58,16 @@ class Gathered:
         sentence = topic.words.replace("{}", listed(self._names[topic]), 1)
         detail = self._details[topic]
         return f"{sentence}: {detail}" if detail else sentence
+
+
+def shown(text: str) -> str:
+    """Return a text of the file in the form quoted in a message: on one line, and not too long."""
+    line = " ".join(text.split())
+    return line if len(line) <= 60 else line[:57] + "..."
+
+
+def listed(names: Iterable[str], most: int = NAMED) -> str:
+    """Return names in words: the first few, and how many more."""
+    unique = list(dict.fromkeys(names))
+    words = ", ".join(f"`{shown(name)}`" for name in unique[:most])
+    return words + (f" and {len(unique) - most} more" if len(unique) > most else "")

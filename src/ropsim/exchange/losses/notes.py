@@ -3,8 +3,7 @@
 from collections.abc import Iterable, Mapping
 
 from ropsim.core import Diagnostic, Kind, Severity, Span, frozen_dataclass, near
-from ropsim.exchange.losses.gathered import Gathered, Topic
-from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.gathered import Gathered, Topic, shown
 
 MOST_NOTES = 100
 """Numbers of errors and of other findings that are kept: files with more are not mended one by one."""

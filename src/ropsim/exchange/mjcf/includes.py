@@ -6,7 +6,7 @@ from ropsim.core import SourceText, Span
 from ropsim.exchange.files.folder import RobotFolder
 from ropsim.exchange.files.xml_tree import MOST_DEPTH, MOST_ELEMENTS, Element, read_xml
 from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING, XML_REFUSED
-from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.gathered import shown
 from ropsim.exchange.losses.notes import Notes
 
 MOST_FILES = 200

@@ -11,9 +11,8 @@ from ropsim.exchange.assembly.joint_limits import UNSAID, WITHOUT_END
 from ropsim.exchange.files.values import direction_of, number_of, numbers_of
 from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.diagnostics import BAD_NUMBER, JOINT_IMPOSSIBLE
-from ropsim.exchange.losses.gathered import Topic
+from ropsim.exchange.losses.gathered import Topic, shown
 from ropsim.exchange.losses.loss_diagnostics import LOST_MOTION
-from ropsim.exchange.losses.names import shown
 from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.mjcf.settings import Settings
 from ropsim.spatial import Pose

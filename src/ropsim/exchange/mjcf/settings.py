@@ -7,7 +7,7 @@ from types import MappingProxyType
 from ropsim.core import Span, frozen_dataclass
 from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.diagnostics import BAD_NUMBER, SAME_ENTITY, UNKNOWN_ENTITY
-from ropsim.exchange.losses.names import shown
+from ropsim.exchange.losses.gathered import shown
 from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.mjcf.weight_rules import WeightRules, weight_rules
 

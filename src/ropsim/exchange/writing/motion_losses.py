@@ -3,8 +3,8 @@
 from collections.abc import Iterable
 
 from ropsim.core import Diagnostic
+from ropsim.exchange.losses.gathered import listed
 from ropsim.exchange.losses.loss_diagnostics import LOST_DRIVE, LOST_MOTION
-from ropsim.exchange.losses.names import listed
 from ropsim.exchange.writing.written_tree import WrittenTree
 from ropsim.model import HydraulicCylinder, JointType, RobotModel
 

@@ -7,8 +7,8 @@ import numpy as np
 
 from ropsim.core import Diagnostic
 from ropsim.exchange.files.names import link_name
+from ropsim.exchange.losses.gathered import listed
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE
-from ropsim.exchange.losses.names import listed
 from ropsim.model import (
     Cylinder,
     Drive,

@@ -8,7 +8,7 @@ from ropsim.core import SourceText, Span, near
 from ropsim.exchange.files.folder import ReadOptions
 from ropsim.exchange.files.xml_tree import Element, read_xml
 from ropsim.exchange.losses.diagnostics import XACRO
-from ropsim.exchange.losses.names import listed, shown
+from ropsim.exchange.losses.gathered import listed, shown
 from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.xacro.calls import Calls
 from ropsim.exchange.xacro.formulas.values import XacroError, literal, truth

@@ -4,8 +4,8 @@ import re
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
-from ropsim.exchange.xacro.formulas.evaluation import value_of
 from ropsim.exchange.xacro.formulas.names import FileOfNames
+from ropsim.exchange.xacro.formulas.parser import value_of
 from ropsim.exchange.xacro.formulas.values import LONGEST, Value, XacroError, literal, words
 from ropsim.exchange.xacro.scope import Scope
 

@@ -3,7 +3,7 @@
 from ropsim.exchange.files.folder import ReadOptions
 from ropsim.exchange.files.xml_tree import MOST_ELEMENTS, Element
 from ropsim.exchange.losses.diagnostics import XACRO_MESSAGE
-from ropsim.exchange.losses.names import listed, shown
+from ropsim.exchange.losses.gathered import listed, shown
 from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.xacro.formulas.values import Value, XacroError
 from ropsim.exchange.xacro.scope import Scope

@@ -11,9 +11,9 @@ from collections.abc import Mapping
 from math import pi
 from types import MappingProxyType
 
-from ropsim.exchange.xacro.formulas.evaluation import value_of
 from ropsim.exchange.xacro.formulas.functions import CONSTANTS
 from ropsim.exchange.xacro.formulas.names import FileOfNames
+from ropsim.exchange.xacro.formulas.parser import value_of
 from ropsim.exchange.xacro.formulas.tokens import text_in
 from ropsim.exchange.xacro.formulas.values import Value, XacroError, bounded, literal
 from ropsim.exchange.xacro.yaml_lines import Line, yaml_lines

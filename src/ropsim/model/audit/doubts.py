@@ -5,12 +5,13 @@ Bounds are those of commercial arms, with a margin: from table-top arms of 4 kg 
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from math import sqrt
+from math import inf, sqrt
 
 import numpy as np
 
 from ropsim.core import Diagnostic
 from ropsim.model.audit.drive_doubts import drive_doubts
+from ropsim.model.drives.drive import IdealMotor
 from ropsim.model.findings import doubt_diagnostics as kinds
 from ropsim.model.findings.place import Attribute, AuditPlace, PlaceOf
 from ropsim.model.mechanism.links import BASE_LINK, Joint, JointType, Link
@@ -27,6 +28,8 @@ NARROWEST = 1e-2
 """Least range of a joint [rad | m]."""
 SAME = 3
 """Number of links from which equal numbers are no coincidence."""
+SAME_DRIVES = 5
+"""The same of axes and their drives: small arms have one motor three or four times."""
 _AXIS_SLACK = 1e-9  # [m, sine of an angle] of two axes that are one
 
 
@@ -135,7 +138,7 @@ def _range(number: int, joint: Joint, place_of: PlaceOf) -> Iterator[Diagnostic]
 
 
 def _copied(robot: Mechanism, place_of: PlaceOf) -> Iterator[Diagnostic]:
-    """Yield the first joint where all of one type have the same limits, speeds and accelerations."""
+    """Yield the first joint where all turning ones have the same limits and speeds, efforts, or rotors."""
     turning = [number for number in robot.axes if robot.joints[number].type is JointType.REVOLUTE]
     rows = {_limits(robot.joints[number]) for number in turning}
     if len(turning) >= SAME and len(rows) == 1:
@@ -145,6 +148,24 @@ def _copied(robot: Mechanism, place_of: PlaceOf) -> Iterator[Diagnostic]:
             "accelerations",
             hint="compare them with the data sheet",
         )
+    for what, numbers in (("greatest effort", _efforts(robot)), ("inertia of the rotor", _rotors(robot))):
+        if len(numbers) >= SAME_DRIVES and len(set(numbers)) == 1 and 0.0 < numbers[0] < inf:
+            yield kinds.COPIED_LIMITS.at(
+                place_of(AuditPlace(turning[0], Attribute.LIMITS)),
+                f"all {len(numbers)} turning joints of `{robot.name}` have {numbers[0]:g} as their {what}",
+                hint="such numbers stand in files where nobody knew them: compare them with the data sheet",
+            )
+
+
+def _efforts(robot: Mechanism) -> list[float]:
+    return [joint.max_effort for joint in robot.axis_joints if joint.type is JointType.REVOLUTE]
+
+
+def _rotors(robot: Mechanism) -> list[float]:
+    """Return the inertias of the rotors of ideal motors of turning joints [kg·m²]."""
+    pairs = zip(robot.axis_joints, robot.drives, strict=False)
+    turning = [drive.motor for joint, drive in pairs if joint.type is JointType.REVOLUTE]
+    return [motor.rotor_inertia for motor in turning if isinstance(motor, IdealMotor)]
 
 
 def _limits(joint: Joint) -> tuple[float, ...]:

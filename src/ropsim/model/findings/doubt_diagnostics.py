@@ -45,10 +45,12 @@ COPIED_LIMITS = define(
     "X866",
     "copied-limits",
     Severity.HINT,
-    "all joints have the same limits, speeds and accelerations",
+    "all joints have the same limits, efforts or rotors",
     """
 There are arms whose joints are all alike, but in most files that say so the first row was copied to the
-others. Ranges decide which postures a pose has, speeds and accelerations decide cycle times.
+others, or one number such as 100 or 1000 stands for an unknown effort. Ranges decide which postures a pose
+has, speeds and accelerations decide cycle times, efforts and rotors decide what an axis can carry and how
+fast it settles.
 
 Compare them with the data sheet of the robot.
 """,

@@ -1,4 +1,10 @@
-"""The grammar of expressions, from the loosest to the tightest binding."""
+"""The grammar of expressions, from the loosest to the tightest binding: a parser of our own.
+
+The grammar is that of Python's expressions without assignments and lambdas. Called are the functions of
+`functions.py` and `file_functions.py` and the methods of `methods.py`; all others are refused by name.
+"""
+
+from functools import lru_cache
 
 from ropsim.exchange.xacro.formulas.access import indexed, member, method_called, sliced
 from ropsim.exchange.xacro.formulas.comprehension import Clause, comprehended
@@ -18,10 +24,11 @@ from ropsim.exchange.xacro.formulas.meanings import (
     named,
     true,
 )
+from ropsim.exchange.xacro.formulas.names import Names
 from ropsim.exchange.xacro.formulas.operators import BINARY, applied
 from ropsim.exchange.xacro.formulas.token_reader import MOST_DEPTH, TokenReader
 from ropsim.exchange.xacro.formulas.tokens import Sort, text_in
-from ropsim.exchange.xacro.formulas.values import XacroError, bounded
+from ropsim.exchange.xacro.formulas.values import Value, XacroError, bounded
 
 _COMPARISONS = ("==", "!=", "<", ">", "<=", ">=", "in", "not in", "is", "is not")
 _LEVELS = (_COMPARISONS, ("|",), ("^",), ("&",), ("<<", ">>"), ("+", "-"), ("*", "/", "//", "%"))
@@ -284,3 +291,17 @@ class Parser(TokenReader):
 
 def _known() -> str:
     return f"functions are {', '.join(sorted(FUNCTIONS))}"
+
+
+def value_of(text: str, names: Names) -> Value:
+    """Return the value of an expression.
+
+    Raises:
+        XacroError: it has no value.
+    """
+    return _meaning(text)(names)
+
+
+@lru_cache(maxsize=4096)
+def _meaning(text: str) -> Meaning:
+    return Parser(text).meaning()
