@@ -61,7 +61,8 @@ def torque_origin(names: Sequence[str], count: int, payload: float, why: str) ->
 def balance_origin(names: Sequence[str]) -> ParameterOrigin:
     """Return the origin of published limits that do not hold the rated payload in every posture."""
     words = (
-        f"gravity with the rated payload takes more than {100.0 * torque_limits.HELD_SHARE:.3g} % of the published "
+        f"gravity with the rated payload takes more than {100.0 * torque_limits.HELD_SHARE:.3g} % "
+        "of the published "
         f"torque of {', '.join(names)}: springs or weights balance the arm, or "
         "loads have further limits"
     )
@@ -81,7 +82,8 @@ def friction_origin() -> ParameterOrigin:
     """Return the origin of friction."""
     words = (
         f"dry {100.0 * joint_friction.DRY:.3g} % of the torque limit, of the wrist "
-        f"{100.0 * joint_friction.DRY_OF_WRIST:.3g} %; viscous {100.0 * joint_friction.VISCOUS:.3g} % of it at full speed"
+        f"{100.0 * joint_friction.DRY_OF_WRIST:.3g} %; "
+        f"viscous {100.0 * joint_friction.VISCOUS:.3g} % of it at full speed"
     )
     return ParameterOrigin(f"friction ({joint_friction.ACCURACY})", ESTIMATED, words)
 
