@@ -13,11 +13,12 @@ from ropsim.spatial import Array, Pose
 DATA = Path(__file__).parents[1] / "reference" / "data"
 TABLES: dict[str, Any] = tomllib.loads((DATA / "published_arms.toml").read_text(encoding="utf-8"))
 SEVEN_AXES: dict[str, Any] = tomllib.loads((DATA / "seven_axis_arms.toml").read_text(encoding="utf-8"))
+FIVE_AXES: dict[str, Any] = tomllib.loads((DATA / "five_axis_arms.toml").read_text(encoding="utf-8"))
 
 
 def published_arm(name: str) -> RobotModel:
     """Return an arm of the files; its mechanical interface is the tip."""
-    table = TABLES[name] if name in TABLES else SEVEN_AXES[name]
+    table = (TABLES | SEVEN_AXES | FIVE_AXES)[name]
     before = _frame(table["base"]) if "base" in table else np.eye(4)
     joints = []
     for number, row in enumerate(table["joints"], start=1):

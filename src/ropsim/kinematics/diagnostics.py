@@ -26,7 +26,8 @@ each class it misses.
 
 Six revolute joints of any other geometry (**general six-axis**) are solved algebraically: the joint
 coordinates are eigenvalues of a matrix, all branches are found, and only names are missing. So are seven
-(**general seven-axis**), for each value of one joint that is held.
+(**general seven-axis**), for each value of one joint that is held, and two to five (**general few-axis**)
+in the poses that they can take.
 
 Any other arm is solved numerically from many starting points: each answer is checked like every other one,
 but there may be further ones that were not found, and they have no names such as `left-up-flip`. Where

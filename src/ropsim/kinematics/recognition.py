@@ -5,6 +5,7 @@ from functools import lru_cache
 
 from ropsim.kinematics.solutions.solver import InverseSolver, RedundantSolver
 from ropsim.kinematics.solvers.coupled import coupled, plain_arm
+from ropsim.kinematics.solvers.general import few_axis as general_few_axis
 from ropsim.kinematics.solvers.general import seven_axis as general_seven_axis
 from ropsim.kinematics.solvers.general import six_axis as general_six_axis
 from ropsim.kinematics.solvers.numeric import numeric
@@ -21,6 +22,7 @@ CLASSES: tuple[tuple[str, Callable[[RobotModel], InverseSolver | str]], ...] = (
     ("planar two-link", planar_two_link.recognise),
     ("level wrist", level_wrist.recognise),
     ("S-R-S", swivel.recognise),
+    ("general few-axis", general_few_axis.recognise),
     ("general six-axis", general_six_axis.recognise),
     ("general seven-axis", general_seven_axis.recognise),
 )

@@ -5,6 +5,7 @@ from ropsim.kinematics.chain.chain_kernel import refine_rows as refine_rows
 from ropsim.kinematics.chain.jacobian import least_singular_values as least_singular_values
 from ropsim.kinematics.solutions import polish_kernel as polish_kernel
 from ropsim.kinematics.solutions.polish import POSE_SLACK as POSE_SLACK
+from ropsim.kinematics.solutions.polish import TASK_SLACK as TASK_SLACK
 from ropsim.kinematics.solutions.polish import checked as checked
 from ropsim.kinematics.solutions.polish import continued as continued
 from ropsim.kinematics.solutions.polish import held_at as held_at

@@ -16,7 +16,7 @@ from support.scara import scara
 
 ARMS = {
     "cobra": scara(),
-    "free": random_arm(3, "RRRRR"),
+    "free": random_arm(3, "RRPRR"),
     "askew": random_arm(3, "RRRRRR"),
     "kr120": published_arm("kr120_r2700_2"),
     "sia20": published_arm("motoman_sia20d"),

@@ -12,8 +12,9 @@ from ropsim.kinematics import (
     forward_batch,
     inverse,
 )
-from ropsim.model import Joint, JointType, Link, RobotModel
-from ropsim.spatial import Array, Pose
+from ropsim.model import RobotModel
+from ropsim.spatial import Array
+from support.axis_chains import chain
 from support.redundant_poses import awkward_joints, seven_axis_arms
 
 REACHED = 1e-9  # m, entries of the rotation matrix: what is promised
@@ -52,28 +53,6 @@ def test_poses_of_configurations_within_the_limits_are_reached_within_them(name:
 @pytest.mark.parametrize("name", ARMS)
 def test_no_pose_of_many_is_lost(name: str) -> None:
     assert lost(ARMS[name], POSES, seed=2) == []
-
-
-def chain(
-    axes: str, origins: tuple[tuple[float, ...], ...], limits: tuple[tuple[float, float], ...]
-) -> RobotModel:
-    """Return an arm whose axes are x, y or z of the base, at origins in the frame before [m], limits in °."""
-    joints, before = [], np.eye(3)
-    for number, (axis, origin, limit) in enumerate(zip(axes, origins, limits, strict=True), start=1):
-        place = "xyz".index(axis)
-        R = np.eye(3)[:, [(place + 1) % 3, (place + 2) % 3, place]]
-        X = np.eye(4)
-        X[:3, :3], X[:3, 3] = before.T @ R, before.T @ origin
-        low, high = map(radians, limit)
-        kind = JointType.REVOLUTE
-        joints.append(Joint(str(number), kind, Pose.from_matrix(X), 0.0, low, high, 3.0, 10.0, 100.0))
-        before = R
-    massless = Link(0.0, np.zeros(3), np.zeros((3, 3)))
-    end = np.eye(4)
-    end[:3, :3] = before.T
-    n = len(joints)
-    X_nM = Pose.from_matrix(end)
-    return RobotModel("chain", "chain", tuple(joints), (massless,) * n, (), np.zeros(n), X_nM=X_nM)
 
 
 NARROW_ELBOW = chain(

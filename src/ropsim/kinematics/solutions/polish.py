@@ -22,6 +22,8 @@ LEFT = 1e-15
 """The last step times the snap of the arm is at most this [rad², rad·m]: it is taken for one of its class."""
 STEPS = 60
 """Largest number of steps from a start to an answer."""
+BOUNDED_STEPS = 240
+"""The same with bounds, which hold joints one after the other: slow next to singular configurations."""
 PRINCIPAL, CONTINUED, OWN_TURNS = 0.0, 1.0, 2.0
 """How answers follow their starts, see `polish_rows`."""
 
@@ -61,7 +63,7 @@ def polished_within(
     Returns:
         Joint coordinates within the bounds [rad | m], shape (k, m, n); NaN where no answer was found.
     """
-    return _run(chain, T, np.clip(Q, *bounds), (STEPS, slack, OWN_TURNS), bounds)
+    return _run(chain, T, np.clip(Q, *bounds), (BOUNDED_STEPS, slack, OWN_TURNS), bounds)
 
 
 def held_at(chain: ChainArrays, X_BM: Array, starts: Array, joint: int, value: float) -> Array:
@@ -81,11 +83,6 @@ def held_at(chain: ChainArrays, X_BM: Array, starts: Array, joint: int, value: f
     bounds[:, joint] = value
     found = polished_within(chain, X_BM[np.newaxis], starts[np.newaxis], bounds)[0]
     return np.asarray(found[~np.isnan(found[:, 0])])
-
-
-def nearest_within(chain: ChainArrays, T: Array, Q: Array, bounds: Array) -> Array:
-    """Return where the search of `polished_within` ends, pose reached or not."""
-    return _run(chain, T, np.clip(Q, *bounds), (STEPS, inf, OWN_TURNS), bounds)
 
 
 def refining(chain: ChainArrays, point: list[float], parallel: int, snap: float) -> Compiled:
@@ -168,7 +165,7 @@ def _run(
     m, n = len(chain.slides), chain.n
     found = np.array(Q)
     within = unbounded(n) if bounds is None else np.ascontiguousarray(bounds)
-    frames, room, lanes = np.empty((m + 1, 12)), np.zeros((n + 10, max(n, 6))), np.empty((7, m))
+    frames, room, lanes = np.empty((m + 1, 12)), np.zeros((n + 12, max(n, 6))), np.empty((7, m))
     polish_kernel.polish_rows(
         chain.flat, chain.spread, chain.turning, T, found, within, np.array(settings), frames, room, lanes
     )

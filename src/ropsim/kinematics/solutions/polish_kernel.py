@@ -4,8 +4,8 @@ The error of a configuration is e = (p_T - p(q), rotation vector of R_T·R(q)ᵀ
 the geometric Jacobian. Each step solves (JᵀJ + λ·1)·Δq = Jᵀe. The damping λ = μ·|e| vanishes with the error,
 so that the steps become Newton's, and keeps joints still that a singular configuration leaves free (Fan &
 Yuan 2005; for robots Sugihara 2011); μ falls after a step that helps and grows after one that does not.
-Joints may have bounds: one that stands at a bound and would leave it is left out of the step, and the
-result of a step is brought back to the bounds (Kanzow, Yamashita & Fukushima 2004).
+Joints may have bounds: those that a step moves beyond go to their bound, and the step of the others is solved
+again with what is left of the error.
 """
 
 from math import atan2, ceil, pi, sqrt
@@ -21,6 +21,8 @@ FAR = 2e-10
 far from their answer though the hand is at its pose."""
 LONGEST_STEP = 0.7
 """No joint moves farther in one step [rad | m]; beyond, the Jacobian says little."""
+HELD = 11
+"""Row of `room` with 1.0 for joints that a step brings to a bound."""
 STALLS = 6
 """Number of consecutive steps without progress that ends the search."""
 
@@ -52,7 +54,7 @@ def polish_rows(
             [m, entries of the rotation matrix]; 0.0, or 1.0 where row j of pose k starts from row j of pose
             k - 1, or 2.0 where coordinates keep the turn of their start.
         frames: room to work in, shape (m + 1, 12).
-        room: room to work in, shape (n + 10, max(n, 6)).
+        room: room to work in, shape (n + 12, max(n, 6)).
         lanes: room to work in, shape (7, m).
     """
     n = Q.shape[2]
@@ -87,8 +89,9 @@ def descend(
 ) -> None:
     """Improve q (n,) in place, within the bounds (2, n); frames then belong to it.
 
-    Rows of `room`: the columns of J (6 rows), e, Δq, q tried, its error, JᵀJ + λ·1 (n rows). Rows of `lanes`:
-    the Jacobian of the steps (6 rows), and their coordinates.
+    Rows of `room`: the columns of J (6 rows), e, Δq, q tried, its error, ways of joints that are held to
+    their bounds, which those are, JᵀJ + λ·1 (n rows). Rows of `lanes`: the Jacobian of the steps (6 rows),
+    and their coordinates.
     """
     n, last = q.shape[0], frames.shape[0] - 1
     e, trial = room[6], room[8]
@@ -181,42 +184,66 @@ def _error(M: Array, X: Array, e: Array) -> float:
 
 
 def _step(room: Array, q: Array, bounds: Array, damping: float) -> float:
-    """Solve (JᵀJ + λ·1)·Δq = Jᵀe for coordinates that their bounds do not hold; return the largest |Δq|."""
-    n = room.shape[0] - 10
-    dq = room[7]
+    """Solve (JᵀJ + λ·1)·Δq = Jᵀe within the bounds; return the largest |Δq|.
+
+    Joints that the solution moves beyond a bound go to that bound, and the others make up for it.
+    """
+    n = room.shape[0] - HELD - 1
+    dq, held, way = room[7], room[HELD], room[HELD - 1]
+    longest = 0.0
     for i in range(n):
-        g = 0.0
+        held[i] = 0.0
+    for _ in range(n):
         for r in range(6):
-            g += room[r, i] * room[6, r]
-        if (g >= 0.0 and q[i] >= bounds[1, i]) or (g <= 0.0 and q[i] <= bounds[0, i]):
-            for r in range(6):  # J is made anew after each step
-                room[r, i] = 0.0
-            g = 0.0
-        dq[i] = g
-    return solve_normal(room, damping)
+            room[9, r] = room[6, r]
+            for i in range(n):
+                if held[i] > 0.0:
+                    room[9, r] -= room[r, i] * way[i]
+        for i in range(n):
+            dq[i] = 0.0
+            if held[i] == 0.0:
+                for r in range(6):
+                    dq[i] += room[r, i] * room[9, r]
+        longest = solve_normal(room, damping)
+        further = False
+        for i in range(n):
+            there = q[i] + dq[i]
+            if held[i] > 0.0:
+                dq[i] = way[i]
+                longest = max(longest, abs(way[i]))
+            elif there > bounds[1, i] or there < bounds[0, i]:
+                held[i], way[i] = 1.0, (bounds[1, i] if there > bounds[1, i] else bounds[0, i]) - q[i]
+                further = True
+        if not further:
+            return longest
+    return longest
 
 
 def solve_normal(room: Array, damping: float) -> float:
-    """Solve (JᵀJ + λ·1)·x = g by Cholesky's factors, g and then x in row 7; return the largest |x|."""
-    n = room.shape[0] - 10
-    dq = room[7]
+    """Solve (JᵀJ + λ·1)·x = g by Cholesky's factors, g and then x in row 7; return the largest |x|.
+
+    Rows and columns of joints that are held are those of λ·1.
+    """
+    n, first = room.shape[0] - HELD - 1, HELD + 1
+    dq, held = room[7], room[HELD]
     for i in range(n):
         for j in range(i + 1):
             a = damping if i == j else 0.0
-            for r in range(6):
-                a += room[r, i] * room[r, j]
+            if held[i] == 0.0 and held[j] == 0.0:
+                for r in range(6):
+                    a += room[r, i] * room[r, j]
             for r in range(j):
-                a -= room[10 + i, r] * room[10 + j, r]
-            room[10 + i, j] = sqrt(max(a, 1e-300)) if i == j else a / room[10 + j, j]
+                a -= room[first + i, r] * room[first + j, r]
+            room[first + i, j] = sqrt(max(a, 1e-300)) if i == j else a / room[first + j, j]
     for i in range(n):
         for r in range(i):
-            dq[i] -= room[10 + i, r] * dq[r]
-        dq[i] /= room[10 + i, i]
+            dq[i] -= room[first + i, r] * dq[r]
+        dq[i] /= room[first + i, i]
     longest = 0.0
     for i in range(n - 1, -1, -1):
         for r in range(i + 1, n):
-            dq[i] -= room[10 + r, i] * dq[r]
-        dq[i] /= room[10 + i, i]
+            dq[i] -= room[first + r, i] * dq[r]
+        dq[i] /= room[first + i, i]
         longest = max(longest, abs(dq[i]))
     return longest
 

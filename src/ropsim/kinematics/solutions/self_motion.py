@@ -67,7 +67,7 @@ def _arc(chain: ChainArrays, X_BM: Array, q: Array, limits: Array, free: int) ->
     m, n = len(chain.slides), chain.n
     Q, ends = np.empty((2, POINTS, n)), np.array([[1.0, 0.0], [-1.0, 0.0]])
     Q[:, 0] = q
-    work = Work(np.empty((m + 1, 12)), np.zeros((n + 10, max(n, 6))), np.empty((7, m)), np.empty((6, n)))
+    work = Work(np.empty((m + 1, 12)), np.zeros((n + 12, max(n, 6))), np.empty((7, m)), np.empty((6, n)))
     trace_rows(chain.flat, chain.spread, X_BM, limits, free, Q[:1], ends[:1], work)
     ahead = Q[0, : int(ends[0, 0])]
     if ends[0, 1] == CLOSED:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.kinematics.chain.steps_kernel import axis_columns
-from ropsim.kinematics.solutions.polish_kernel import descend, entry_errors, solve_normal
+from ropsim.kinematics.solutions.polish_kernel import HELD, descend, entry_errors, solve_normal
 from ropsim.spatial import Array
 
 FULL, AT_LIMIT, CLOSED, STUCK = 0.0, 1.0, 2.0, 3.0
@@ -47,7 +47,7 @@ class Work(NamedTuple):
 
     Attributes:
         frames: of the steps, shape (m + 1, 12).
-        room: of `descend`, shape (n + 10, max(n, 6)).
+        room: of `descend`, shape (n + 12, max(n, 6)).
         lanes: of `descend`, shape (7, m).
         ahead: tangent, next tangent, point tried, bounds, tangent at the beginning, shape (6, n).
     """
@@ -152,7 +152,7 @@ def _tangent(chain: Array, spread: Array, work: Work) -> float:
     n = ahead.shape[1]
     axis_columns(chain, spread, work.frames, room, work.lanes)
     for i in range(n):
-        room[7, i] = 0.0
+        room[7, i] = room[HELD, i] = 0.0
     for r in range(6):
         total = 0.0
         for i in range(n):

@@ -120,7 +120,7 @@ class NumericSolver:
         return np.asarray(rows[~np.isnan(rows[:, 0])])
 
 
-def distinct(answers: Array, near: Array, turning: Array, most: int = ROWS) -> Array:
+def distinct(answers: Array, near: Array, turning: Array, most: int = ROWS, same: float = SAME) -> Array:
     """Return each answer to a pose once, those nearest to `near` first.
 
     Args:
@@ -128,6 +128,7 @@ def distinct(answers: Array, near: Array, turning: Array, most: int = ROWS) -> A
         near: joint coordinates [rad | m], shape (n,).
         turning: 1.0 for axes that turn, shape (n,).
         most: answers that are given.
+        same: answers nearer to each other than this are one [rad | m].
 
     Returns:
         Up to `most` answers for each pose, NaN rows behind them, shape (k, most, n).
@@ -142,7 +143,7 @@ def distinct(answers: Array, near: Array, turning: Array, most: int = ROWS) -> A
             if not len(left):
                 break
             row[place] = left[0]
-            left = left[np.abs(_wrapped(left - left[0], turns)).max(axis=1) > SAME]
+            left = left[np.abs(_wrapped(left - left[0], turns)).max(axis=1) > same]
     return out
 
 

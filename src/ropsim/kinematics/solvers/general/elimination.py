@@ -71,6 +71,30 @@ def steps_of(chain: ChainArrays) -> Array:
     return C
 
 
+def without_joint(chain: ChainArrays, joint: int, value: float) -> ChainArrays:
+    """Return a chain of turning joints with one of them held at a value [rad]."""
+    C = steps_of(chain)
+    held = C[joint] @ about_z(np.array([value]))[0] @ C[joint + 1]
+    return turning_chain(np.concatenate((C[:joint], held[np.newaxis], C[joint + 2 :])))
+
+
+def turning_chain(C: Array) -> ChainArrays:
+    """Return the chain of turning joints with steps between them and to its interface, (n + 1, 4, 4)."""
+    n = len(C) - 1
+    R, p, zeros = C[:-1, :3, :3], C[:-1, :3, 3], np.zeros(n)
+    rows = np.column_stack((R.reshape(-1, 9), p, zeros, zeros))
+    return ChainArrays(
+        R=frozen(R),
+        p=frozen(p),
+        slides=frozen(zeros),
+        offset=frozen(zeros),
+        X_nM=frozen(C[-1, :3]),
+        spread=frozen(np.empty((0, n + 1))),
+        turning=frozen(np.ones(n)),
+        flat=frozen(np.concatenate((rows.ravel(), C[-1, :3, :3].ravel(), C[-1, :3, 3]))),
+    )
+
+
 def eliminations(C: Array, wanted: Sequence[int]) -> tuple[Elimination, ...]:
     """Return the requested ones of the six ways, for steps C of `steps_of`, shape (7, 4, 4)."""
     forwards = [np.eye(4), *C[1:6]]

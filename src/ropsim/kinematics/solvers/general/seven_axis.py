@@ -13,13 +13,13 @@ from ropsim.kinematics.solutions.polish import POSE_SLACK, polished
 from ropsim.kinematics.solutions.result import Free, IkStatus, Posture, Shortfall
 from ropsim.kinematics.solutions.solver import Method, Snap
 from ropsim.kinematics.solvers.axes import COUPLED
-from ropsim.kinematics.solvers.general.elimination import about_z, eliminations, steps_of
+from ropsim.kinematics.solvers.general.elimination import eliminations, steps_of, without_joint
 from ropsim.kinematics.solvers.general.elimination_roots import starts
 from ropsim.kinematics.solvers.general.six_axis import PROBES
 from ropsim.kinematics.solvers.general.six_turning import all_answers, regular_ways
 from ropsim.kinematics.solvers.numeric import ROWS, NumericSolver, numeric
 from ropsim.model import JointType, RobotModel
-from ropsim.spatial import Array, frozen, record
+from ropsim.spatial import Array, record
 
 HELD = (2, 4, 0, 1, 3, 5, 6)
 """Joints that may be held, from 0; joint 3 turns the elbow of most arms of this kind."""
@@ -97,23 +97,25 @@ class GeneralSevenAxisSolver:
             lower, upper = -np.pi, np.pi
         count = 1 + int(np.ceil((upper - lower) / APART))
         values = np.linspace(lower, upper, count + 1)[:-1] + 0.5 * (upper - lower) / count
-        found += [self._at(X_BM, self.joint, at, near, ALMOST_REAL) for at in values.tolist()]
-        return np.concatenate(found)
+        rough = [self._rough(X_BM, at) for at in values.tolist()]
+        met = polished(self.chain, X_BM[np.newaxis], np.concatenate(rough)[np.newaxis])[0]
+        return np.concatenate((*found, met[~np.isnan(met[:, 0])]))
 
-    def _at(self, X_BM: Array, joint: int, value: float, near: Array, almost: float = 0.0) -> Array:
-        """Return the answers with a joint at a value [rad], and those that almost real solutions lead to."""
+    def _at(self, X_BM: Array, joint: int, value: float, near: Array) -> Array:
+        """Return the answers with a joint at a value [rad], shape (m, 7)."""
         ways = self.ways if joint == self.joint else ways_without(self, joint)
         if not ways:
             return np.empty((0, 7))
         chain, T = without_joint(self.chain, joint, value), X_BM[np.newaxis]
         cuts, others = eliminations(steps_of(chain), ways), [i for i in range(7) if i != joint]
         rows = all_answers(chain, cuts, T, near[others])[0]
-        found = np.insert(rows[~np.isnan(rows[:, 0])], joint, value, axis=1)
-        if not almost:
-            return np.asarray(found)
-        rough = np.insert(starts(cuts[0], T, almost)[0][0], joint, value, axis=1)
-        more = polished(self.chain, T, rough[~np.isnan(rough[:, 0])][np.newaxis])[0]
-        return np.concatenate((found, more[~np.isnan(more[:, 0])]))
+        return np.asarray(np.insert(rows[~np.isnan(rows[:, 0])], joint, value, axis=1))
+
+    def _rough(self, X_BM: Array, value: float) -> Array:
+        """Return the real and almost real solutions with the held joint at a value [rad], shape (m, 7)."""
+        (cut,) = eliminations(steps_of(without_joint(self.chain, self.joint, value)), self.ways[:1])
+        rows = starts(cut, X_BM[np.newaxis], ALMOST_REAL)[0][0]
+        return np.asarray(np.insert(rows[~np.isnan(rows[:, 0])], self.joint, value, axis=1))
 
     def free(self, q: Array) -> Free:
         """Return the held joint and its coordinate in q (7,)."""
@@ -132,26 +134,6 @@ class GeneralSevenAxisSolver:
     def shortfall(self, X_BM: Array) -> Shortfall:
         """Return how far the nearest pose is that was found."""
         return Shortfall(IkStatus.OUT_OF_REACH, miss=self.search.miss(X_BM))
-
-
-def without_joint(chain: ChainArrays, joint: int, value: float) -> ChainArrays:
-    """Return a chain of turning joints with one of them held at a value [rad]."""
-    C = steps_of(chain)
-    held = C[joint] @ about_z(np.array([value]))[0] @ C[joint + 1]
-    C = np.concatenate((C[:joint], held[np.newaxis], C[joint + 2 :]))
-    n = chain.n - 1
-    R, p, zeros = C[:-1, :3, :3], C[:-1, :3, 3], np.zeros(n)
-    rows = np.column_stack((R.reshape(-1, 9), p, zeros, zeros))
-    return ChainArrays(
-        R=frozen(R),
-        p=frozen(p),
-        slides=frozen(zeros),
-        offset=frozen(zeros),
-        X_nM=frozen(C[-1, :3]),
-        spread=frozen(np.empty((0, n + 1))),
-        turning=frozen(np.ones(n)),
-        flat=frozen(np.concatenate((rows.ravel(), C[-1, :3, :3].ravel(), C[-1, :3, 3]))),
-    )
 
 
 @lru_cache(maxsize=256)
