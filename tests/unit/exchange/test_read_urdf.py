@@ -394,3 +394,17 @@ def test_the_ground_needs_no_link() -> None:
     robot = read(text)
     assert robot.n == 1
     np.testing.assert_allclose(forward(robot, [0.0]).position, [0.0, 0.0, 1.0], atol=EXACT)
+
+
+def test_followers_that_add_up_may_stand_in_any_order() -> None:
+    """Two that follow about one line are one coupling; where the outer one stands first, they stay two."""
+    body = '<inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>'
+    joint = '<joint name="{0}" type="continuous"><parent link="{1}"/><child link="{2}"/>{3}</joint>'
+    follows = '<mimic joint="j"/>'
+    inner, outer = joint.format("f", "arm", "mid", follows), joint.format("g", "mid", "tool0", follows)
+    head = f'<robot name="a"><link name="base"/><link name="arm">{body}</link><link name="mid"/>'
+    head += f'<link name="tool0">{body}</link>' + joint.format("j", "base", "arm", "")
+    for text in (inner + outer, outer + inner):
+        X = forward(read(f"{head}{text}</robot>"), np.array([0.3])).matrix()
+        np.testing.assert_allclose(X[:3, :3] @ X[:3, :3].T, np.eye(3), atol=EXACT)
+        assert np.arctan2(X[2, 1], X[1, 1]) == pytest.approx(0.9)

@@ -55,7 +55,7 @@ def with_added_turns(description: Description) -> Description:
     gone: set[str] = set()
     for one in description.connections:
         before = first.get(one.parent)
-        if before is None or not _adds(before, one):
+        if before is None or before.name not in places or not _adds(before, one):
             places[one.name] = len(made)
             made.append(one)
             continue
