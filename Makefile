@@ -60,6 +60,7 @@ pages: check-tools
 	$(BIN)/python tools/import_table.py --check
 	$(BIN)/python -m tools.robot_library --check
 	$(BIN)/python -m tools.robot_page --check
+	$(BIN)/python -m tools.part_page --check
 	$(BIN)/python tools/wire_types.py --check
 	$(BIN)/python tools/block_words.py --check
 	$(BIN)/python tools/pack_fixture.py --check
@@ -79,6 +80,7 @@ docs:
 	$(BIN)/python tools/import_table.py
 	$(BIN)/python -m tools.robot_library
 	$(BIN)/python -m tools.robot_page
+	$(BIN)/python -m tools.part_page
 	$(BIN)/python tools/wire_types.py
 	$(BIN)/python tools/block_words.py
 

@@ -45,8 +45,11 @@ BANDS = {
     "S7": Band("Simulation", ("simulation",)),
     "X8": Band("Projects, cell files, models, recordings", (*_FILES, "workbench")),
     "X9": Band(
-        "Robots in files; files and memory of the machine",
-        ("core", "exchange", "express", "model", "nirox", "part21", "robotfile", "workbench"),
+        "Robots in files; parts of the library; files and memory of the machine",
+        (
+            *("cellfile", "core", "exchange", "express", "model", "nirox", "part21", "parts", "robotfile"),
+            "workbench",
+        ),
     ),
     "U9": Band("Use of the commands", ("cli", "core", "lsp", "studio")),
     "P1": Band("Knowledge bases", ("prolog", "tasks")),

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from ropsim import motion as motion
     from ropsim import nirox as nirox
     from ropsim import part21 as part21
+    from ropsim import parts as parts
     from ropsim import planning as planning
     from ropsim import program as program
     from ropsim import prolog as prolog
@@ -67,6 +68,7 @@ __all__ = [
     "nirox",
     "open",
     "part21",
+    "parts",
     "planning",
     "program",
     "prolog",

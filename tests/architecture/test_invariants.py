@@ -6,9 +6,9 @@ import pytest
 
 from support.sources import nodes, trees
 
-EDGES = {"cellfile", "cli", "exchange", "language", "lsp", "robotfile", "robots", "studio", "tomltext"}
-EDGES |= {"views"}
-"""Where people write and read degrees and millimetres; `robots` has published figures,
+EDGES = {"cellfile", "cli", "exchange", "language", "lsp", "parts", "robotfile", "robots", "studio"}
+EDGES |= {"tomltext", "views"}
+"""Where people write and read degrees and millimetres; `robots` and `parts` have published figures,
 `exchange` files with degrees."""
 HIGH = {"cli", "studio", "lsp", "workbench", "cellfile", "records", "userfiles"}
 HIGH |= {"robotfile", "tomltext", "meshes"}
@@ -178,5 +178,5 @@ def test_files_of_users_are_read_by_the_reader_that_is_bounded() -> None:
         and not any(isinstance(one, ast.Name) and one.id == "icr" for one in ast.walk(node.func))
     }
     assert (
-        found - {"cli/commands/lsp.py", "cli/terminal/streams.py"} == OWN_READERS
+        found - {"cli/commands/servers/lsp.py", "cli/terminal/streams.py"} == OWN_READERS
     )  # those open the streams of the process

@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 
+from ropsim.tomltext import Question
+
 # By the end of the dotted name, the longest one that is here; `*` stands for a name chosen by the user.
 MEANINGS: Mapping[str, str] = {
     "cell": "The work cell as a whole.",
@@ -13,6 +15,9 @@ MEANINGS: Mapping[str, str] = {
     "units.length": "Unit of lengths, also in speeds and accelerations.",
     "units.angle": "Unit of angles, also in speeds and accelerations.",
     "robot": "The robot of a cell with one station; `[stations.NAME]` describes several.",
+    "part": "Part of the library by kind, model and dimensions; keys next to it replace single data.",
+    "part.kind": "Kind of part, see `ropsim part list`.",
+    "part.model": "Product whose figures the part has; further keys replace single ones.",
     "model": "Name of a built-in robot, or path of a robot file in the project folder.",
     "tip": "Link that carries the tool, of a robot file in URDF, xacro or MJCF.",
     "package": "Folders of packages in the project, by name, that a robot file names and that are not found.",
@@ -179,8 +184,15 @@ MEANINGS: Mapping[str, str] = {
 NAMED = ("stations", "devices", "tools", "frames", "locations", "signals")
 
 
-def meaning_of(path: Sequence[str | int]) -> str:
-    """Return the meaning of the key at a path; empty if undocumented."""
+def meaning_of(path: Sequence[str | int], question: Question | None = None) -> str:
+    """Return the meaning of the key at a path; empty if undocumented.
+
+    Args:
+        path: to the key.
+        question: of the reader for it, whose own meaning comes first.
+    """
+    if question is not None and question.meaning:
+        return question.meaning
     parts = [part for part in path if isinstance(part, str)]
     if len(parts) > 1 and parts[0] in NAMED:
         parts[1] = "*"

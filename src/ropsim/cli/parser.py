@@ -3,7 +3,7 @@
 import argparse
 from functools import cache
 
-from ropsim.cli.arguments import around, icr, knowledge, project, robot
+from ropsim.cli.arguments import around, icr, knowledge, part, project, robot
 from ropsim.cli.arguments.command import Parser
 from ropsim.version import __version__
 
@@ -38,6 +38,7 @@ def build_parser() -> argparse.ArgumentParser:
     project.calibrate(commands)
     icr.icr(commands)
     robot.robot(commands)
+    part.part(commands)
     knowledge.task(commands)
     knowledge.generate(commands)
     around.explain(commands)

@@ -6,6 +6,7 @@ from ropsim.robots.catalogue import catalogue as catalogue
 from ropsim.robots.catalogue import catalogue_text as catalogue_text
 from ropsim.robots.devices import conveyor as conveyor
 from ropsim.robots.devices import rotary as rotary
+from ropsim.robots.devices import shaped_conveyor as shaped_conveyor
 from ropsim.robots.devices import slide as slide
 from ropsim.robots.diagnostics import NoControllerError as NoControllerError
 from ropsim.robots.diagnostics import UnknownRobotError as UnknownRobotError
@@ -16,7 +17,6 @@ from ropsim.robots.external_axes import gantry as gantry
 from ropsim.robots.external_axes import linear_track as linear_track
 from ropsim.robots.external_axes import tilting_turntable as tilting_turntable
 from ropsim.robots.external_axes import turntable as turntable
-from ropsim.robots.fingers import parallel_fingers as parallel_fingers
 from ropsim.robots.library import STANDARD_RATES as STANDARD_RATES
 from ropsim.robots.library import default_controller as default_controller
 from ropsim.robots.library import load as load

@@ -40,7 +40,17 @@ def conveyor(length: float, width: float, height: float, colour: str = _DARK) ->
             _STEEL,
         ),
     )
-    return _mechanism("conveyor", "Conveyor", JointType.PRISMATIC, _ALONG_X, (), base)
+    return shaped_conveyor(base)
+
+
+def shaped_conveyor(shapes: tuple[Shape, ...]) -> Mechanism:
+    """Return a conveyor of any look.
+
+    Args:
+        shapes: of belt and frame in the base frame, which is at the start of the belt, amid its surface, with
+            x along it.
+    """
+    return _mechanism("conveyor", "Conveyor", JointType.PRISMATIC, _ALONG_X, (), shapes)
 
 
 def slide(shapes: tuple[Shape, ...]) -> Mechanism:
@@ -54,14 +64,16 @@ def slide(shapes: tuple[Shape, ...]) -> Mechanism:
     return _mechanism("slide", "Slide", JointType.PRISMATIC, _ALONG_X, turned, ())
 
 
-def rotary(shapes: tuple[Shape, ...]) -> Mechanism:
+def rotary(shapes: tuple[Shape, ...], base: tuple[Shape, ...] | None = None) -> Mechanism:
     """Return a body that turns about z of the base frame.
 
     Args:
         shapes: of the body, in its frame, which is the base frame at coordinate 0.
+        base: of what carries it, in the base frame; None for a short post.
     """
     post = rod([0.0, 0.0, -0.06], [0.0, 0.0, -0.05], 0.05, colour=_STEEL)
-    return _mechanism("rotary", "Turntable", JointType.REVOLUTE, Pose(), shapes, (post,))
+    carrier = (post,) if base is None else base
+    return _mechanism("rotary", "Turntable", JointType.REVOLUTE, Pose(), shapes, carrier)
 
 
 def _at(x: float, y: float, z: float) -> Pose:

@@ -33,6 +33,7 @@ class Question:
         likely: some of the words that are allowed.
         names: kind of entity of the file that it names, such as `frame`; empty for none.
         count: how many items a list has; None for any.
+        meaning: one sentence, of a key whose meaning depends on other keys; empty for all others.
     """
 
     sort: Sort
@@ -42,6 +43,7 @@ class Question:
     likely: tuple[str, ...] = ()
     names: str = ""
     count: int | None = None
+    meaning: str = ""
 
     @property
     def form(self) -> str:

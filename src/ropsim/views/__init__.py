@@ -19,8 +19,11 @@ from ropsim.views.pack.pack import packed_event as packed_event
 from ropsim.views.pack.pack import plain_finding as plain_finding
 from ropsim.views.pack.pack import plain_findings as plain_findings
 from ropsim.views.pack.pack import run_findings as run_findings
+from ropsim.views.picture.part_picture import part_png as part_png
+from ropsim.views.picture.part_picture import part_print as part_print
 from ropsim.views.picture.png import png_words as png_words
 from ropsim.views.picture.robot_picture import PictureOptions as PictureOptions
+from ropsim.views.picture.robot_picture import bodies_png as bodies_png
 from ropsim.views.picture.robot_picture import picture_print as picture_print
 from ropsim.views.picture.robot_picture import robot_png as robot_png
 from ropsim.views.reach.door import workspace_page as workspace_page

@@ -30,7 +30,7 @@ def test_every_example_is_a_right_cell_file(example: str) -> None:
 
 
 def test_the_examples_show_what_they_are_about() -> None:
-    first, external, stations, axis, devices, frames, sensing = (
+    first, external, stations, axis, devices, library, frames, sensing = (
         read_cell(SourceText("", one), "")[0] for one in EXAMPLES
     )
     assert first is not None
@@ -44,6 +44,10 @@ def test_the_examples_show_what_they_are_about() -> None:
     assert [one.robot.has_arm for one in axis.stations.values()] == [False]
     assert devices is not None
     assert list(devices.devices) == ["belt", "door", "table"]
+    assert library is not None
+    assert library.first.tools["jaws"].mass == 0.7126
+    assert library.first.default_tool == "jaws"
+    assert list(library.devices) == ["belt"]
     assert frames is not None
     assert frames.located == {"corner": "fixture"}
     assert sensing is not None

@@ -7,6 +7,7 @@ import pytest
 
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
+from ropsim.parts import PART_KINDS, Use
 
 MANUAL = (Path(__file__).parents[3] / "docs" / "reference" / "cell-file.md").read_text("utf-8")
 ARM = '[robot]\nmodel = "puma560"\n'
@@ -58,6 +59,14 @@ MOVED = DEVICE | listed("**`slide`**") | LOOK
 TOOL, SHAPES, SIGNAL = listed("## `[tools."), listed("### Shapes"), listed("## `[signals.")
 PARTS, DESTINATIONS, SENSOR = listed("## `[[parts]]`"), listed("### Destinations"), listed("A sensor is at")
 
+LIBRARY = listed("### Parts of the library")
+HEADS = {
+    Use.TOOL: "[tools.a]",
+    Use.OBJECT: "[[objects]]",
+    Use.CONVEYOR: '[devices.a]\nkind = "conveyor"',
+    Use.TURNTABLE: '[devices.a]\nkind = "turntable"',
+}
+
 EXPLAINED = [
     (f"?\n{ARM}", {*re.findall(r"^## `\[+(\w+)", MANUAL, re.MULTILINE), *UNITS}),
     (f"{ARM}[cell]\n?", listed("## `[cell]`")),
@@ -93,6 +102,18 @@ EXPLAINED = [
     (f"{ARM}[tools.a]\ngripper = {{ fingers = {{ ? }} }}", told("`fingers`:")),
     (f"{ARM}[tools.a]\nparts = [{{ ? }}]", told("| `parts`")),
     (f"{ARM}[tools.a]\nshapes = [{{ ? }}]", SHAPES),
+    (f'{ARM}[tools.a]\npart = {{ kind = "two_finger_gripper" }}\n?', TOOL),
+    (f'{ARM}[devices.a]\nkind = "conveyor"\npart = {{ kind = "belt_conveyor" }}\n?', CONVEYOR),
+    (f'{ARM}[devices.a]\nkind = "turntable"\npart = {{ kind = "turntable" }}\n?', MOVED),
+    (f'{ARM}[[objects]]\npart = {{ kind = "table" }}\n?', listed("## `[[objects]]`")),
+    *(
+        (
+            f'{ARM}{head}\npart = {{ kind = "{kind.name}", ? }}',
+            LIBRARY | {one.name for one in kind.parameters},
+        )
+        for kind in PART_KINDS.values()
+        for head in (HEADS[kind.use],)
+    ),
     (f"{ARM}[frames.a]\n?", told("A task frame K") | told("`parent = ")),
     (f"{ARM}[locations.a]\n?", listed("## `[locations.")),
     (f"{ARM}[stations.b]\n[locations.a]\nexternal = [1]\n?", listed("## `[locations.")),

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import ropsim
-from ropsim import robots
+from ropsim import parts, robots
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
 from ropsim.flow import GripEvent, Recording, ReleaseEvent
@@ -22,7 +22,7 @@ ROW = 0.04 / 0.25 * 0.004
 """How far the fingers go from one row of a recording to the next at most [m]."""
 DOWN = np.array([0.0, 1.0, 0.0, 0.0])
 X_MT = Pose(np.array([0.01, 0.0, 0.15]), np.array([0.9, 0.1, 0.2, 0.3]))
-FINGERS = robots.parallel_fingers(X_MT, 0.08, 0.01, (0.02, 0.006, 0.05))
+FINGERS = parts.parallel_fingers(X_MT, 0.08, 0.01, (0.02, 0.006, 0.05))
 JAWS = Tool("jaws", X_MT, 1.0, gripper=Gripper(0.25, 0.5, 0.02, FINGERS))
 
 
@@ -40,7 +40,7 @@ def cell(size: tuple[float, float, float] = (0.05, 0.03, 0.04)) -> Cell:
 
 
 def _straight() -> Gripper:
-    fingers = robots.parallel_fingers(Pose(np.array([0.0, 0.0, 0.15])), 0.08, 0.01, (0.02, 0.006, 0.05))
+    fingers = parts.parallel_fingers(Pose(np.array([0.0, 0.0, 0.15])), 0.08, 0.01, (0.02, 0.006, 0.05))
     return Gripper(0.25, 0.5, 0.02, fingers)
 
 

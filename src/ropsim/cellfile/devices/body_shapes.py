@@ -4,13 +4,15 @@ from ropsim.model import Box, Cylinder, Shape
 from ropsim.spatial import Pose, frozen
 from ropsim.tomltext import CONFLICTING_KEYS, Look, TomlTable, Units, read_look, read_shapes
 
+BODY_KEYS = ("size", "diameter", "shapes")
+"""Keys that give the shapes of the body; one of them is needed."""
 _SMALL = 0.05  # [m], stands in while a wrong size is being reported
 
 
 def read_body_shapes(table: TomlTable, units: Units) -> tuple[Shape, ...]:
     """Return the shapes of the moving body: `shapes`, or a block or disc whose top is at its frame."""
     look = read_look(table, Look())
-    given = [key for key in ("size", "diameter", "shapes") if key in table]
+    given = [key for key in BODY_KEYS if key in table]
     if len(given) > 1:
         message = f"`{given[0]}` and `{given[1]}` both say what the device looks like"
         table.findings.add(CONFLICTING_KEYS, table.key_span(given[1]), message, "keep one of them")

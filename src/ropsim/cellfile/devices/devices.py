@@ -3,8 +3,9 @@
 from collections.abc import Mapping
 
 from ropsim import robots
-from ropsim.cellfile.devices.body_shapes import read_body_shapes
+from ropsim.cellfile.devices.body_shapes import BODY_KEYS, read_body_shapes
 from ropsim.cellfile.devices.device_signals import check_device_signals
+from ropsim.cellfile.library_parts import painted, read_part
 from ropsim.cellfile.poses import read_base
 from ropsim.model import (
     Barrier,
@@ -17,6 +18,7 @@ from ropsim.model import (
     Signal,
     SwitchDrive,
 )
+from ropsim.parts import LibraryPart, Use
 from ropsim.spatial import Pose
 from ropsim.tomltext import (
     CONFLICTING_KEYS,
@@ -68,18 +70,33 @@ def read_devices(
 
 
 def _conveyor(table: TomlTable, signals: Mapping[str, Signal], units: Units) -> tuple[Mechanism, BeltDrive]:
-    table.require("length", "width", "speed")
-    length = table.number("length", units.extent, _SMALL)
-    width = table.number("width", units.extent, _SMALL)
-    height = table.number("height", units.extent, 0.1)
+    table.require("speed")
+    length, mechanism = _belt(table, units)
     speed = table.number("speed", units.rate(JointType.PRISMATIC, 1), 0.1)
     acceleration = table.number("acceleration", units.rate(JointType.PRISMATIC, 2), 1.0)
     run = _followed(table, "run", signals)
     barrier = _barrier(table.table("stop"), length, signals, units) if "stop" in table else None
-    colour = read_look(table, Look()).colour
-    return robots.conveyor(length, width, height, colour), BeltDrive(
-        speed, acceleration, run, length, barrier
-    )
+    return mechanism, BeltDrive(speed, acceleration, run, length, barrier)
+
+
+def _belt(table: TomlTable, units: Units) -> tuple[float, Mechanism]:
+    """Return length [m] and mechanism of a belt: of the keys, or of a library part."""
+    given = read_part(table, units, Use.CONVEYOR)
+    measures = ("length", "width", "height")
+    if given is not None:
+        for key in measures:
+            table.number(key, units.extent, given.values[key])
+            if key in table:
+                message = f"`{table.name_of(key)}` and `part` both say how large the conveyor is"
+                hint = f"write `{key}` inside `part`"
+                table.findings.add(CONFLICTING_KEYS, table.key_span(key), message, hint)
+        shapes = painted(table, given.part.shapes, given.part.colour)
+        return given.values["length"], robots.shaped_conveyor(shapes)
+    if "part" not in table:
+        table.require("length", "width")
+    length, width = (table.number(key, units.extent, _SMALL) for key in measures[:2])
+    height = table.number("height", units.extent, 0.1)
+    return length, robots.conveyor(length, width, height, read_look(table, Look()).colour)
 
 
 def _barrier(table: TomlTable, length: float, signals: Mapping[str, Signal], units: Units) -> Barrier:
@@ -95,7 +112,13 @@ def _slide(table: TomlTable, units: Units) -> Mechanism:
 
 
 def _turntable(table: TomlTable, units: Units) -> Mechanism:
-    return robots.rotary(read_body_shapes(table, units))
+    given = read_part(table, units, Use.TURNTABLE)
+    part = given.part if given else LibraryPart(())
+    if "part" in table and not any(key in table for key in BODY_KEYS):
+        moving = painted(table, part.moving_shapes, part.colour)
+    else:
+        moving = read_body_shapes(table, units)
+    return robots.rotary(moving, part.shapes if given else None)
 
 
 def _axis_drive(

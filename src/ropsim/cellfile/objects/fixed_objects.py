@@ -4,9 +4,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from ropsim.cellfile import diagnostics as kinds
+from ropsim.cellfile.library_parts import read_painted, read_part
 from ropsim.cellfile.mounts import Mount
 from ropsim.cellfile.objects.objects import body_name, report_doubles
 from ropsim.model import Box, FixedObject, Shape
+from ropsim.parts import Use
 from ropsim.spatial import Pose, frozen
 from ropsim.tomltext import CONFLICTING_KEYS, Look, TomlTable, Units, cut, read_look, read_pose, read_shapes
 
@@ -40,19 +42,28 @@ def _object(
     name = body_name(table)
     parent = table.reference("parent", parents, "object")
     X_PO = read_pose(table, units)
-    look = read_look(table, Look())
-    short = "size" in table
-    if short and "shapes" in table:
-        message = "`size` and `shapes` both say what the object looks like"
-        table.findings.add(CONFLICTING_KEYS, table.key_span("shapes"), message, "keep one of them")
-    if not short:
-        table.require("shapes")
-    shapes = _block(table, units, look) if short else read_shapes(table, units, look)
+    shapes = _shapes(table, units)
     table.finish()
     if parent in mounts:
         body, X_BM = mounts[parent]
         return FixedObject(name, X_BM @ X_PO, shapes, body)
     return FixedObject(name, X_PO, shapes, parent)
+
+
+def _shapes(table: TomlTable, units: Units) -> tuple[Shape, ...]:
+    """Return the shapes: a block of the key `size`, else `shapes`, else those of a library part."""
+    given = read_part(table, units, Use.OBJECT)
+    short = "size" in table
+    if short and "shapes" in table:
+        message = "`size` and `shapes` both say what the object looks like"
+        table.findings.add(CONFLICTING_KEYS, table.key_span("shapes"), message, "keep one of them")
+    if short:
+        return _block(table, units, read_look(table, Look()))
+    if given is not None:
+        return read_painted(table, units, given.part)
+    if "part" not in table:
+        table.require("shapes")
+    return read_shapes(table, units, read_look(table, Look()))
 
 
 def _without_rings(

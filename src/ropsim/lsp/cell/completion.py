@@ -48,7 +48,7 @@ def _sections(questions: Questions, bracket: str) -> Iterator[Json]:
     for key, question in questions.keys_of(()).items():
         if _SECTIONS.get(question.sort) == bracket:
             label = f"{key}." if question.sort is Sort.NAMED else key
-            yield _item(label, _MODULE, question.form, (key,))
+            yield _item(label, _MODULE, question.form, meaning_of((key,)))
 
 
 def _keys(questions: Questions, section: Path, there: frozenset[str]) -> Iterator[Json]:
@@ -59,21 +59,22 @@ def _keys(questions: Questions, section: Path, there: frozenset[str]) -> Iterato
             continue
         words = "needed" if path in questions.needed else question.default_words
         detail = f"{question.form}; {words}" if words else question.form
-        yield _item(key, _PROPERTY, detail, path, "0" if path in questions.needed else "1")
+        item = _item(key, _PROPERTY, detail, meaning_of(path, question))
+        item["sortText"] = f"{'0' if path in questions.needed else '1'}{key.lower()}"
+        yield item
 
 
 def _values(question: Question, typed: str) -> Iterator[Json]:
     """Yield the words that a value may be, in quotes where none is open; true and false."""
     if question.sort is Sort.FLAG:
-        yield from (_item(word, _VALUE, "", ()) for word in ("true", "false"))
+        yield from (_item(word, _VALUE, "") for word in ("true", "false"))
     quote = "" if typed.count('"') % 2 else '"'
     for word in question.choices or question.likely:
-        yield _item(f"{quote}{word}{quote}", _VALUE, question.names, ())
+        yield _item(f"{quote}{word}{quote}", _VALUE, question.names)
 
 
-def _item(label: str, kind: int, detail: str, path: Path, group: str = "1") -> Json:
-    item: Json = {"label": label, "kind": kind, "detail": detail, "sortText": f"{group}{label.lower()}"}
-    meaning = meaning_of(path)
+def _item(label: str, kind: int, detail: str, meaning: str = "") -> Json:
+    item: Json = {"label": label, "kind": kind, "detail": detail, "sortText": f"1{label.lower()}"}
     if meaning:
         item["documentation"] = {"kind": "plaintext", "value": meaning}
     return item

@@ -33,7 +33,7 @@ def cell_hover(
 def _texts(document: Document, path: Path, around: Surroundings) -> Iterator[str]:
     questions = questions_in(document.text, around)
     question = questions.questions.get(path)
-    meaning = meaning_of(path)
+    meaning = meaning_of(path, question)
     if meaning or question is not None:
         yield f"**{'.'.join(one for one in path if isinstance(one, str))}**"
     if meaning:

@@ -4,19 +4,21 @@ from math import pi
 
 import numpy as np
 
-from ropsim.model import Box, Cylinder, Prism, Revolve, Shape, Solid, Sphere
+from ropsim.model import Box, Cylinder, Point3, Polyline, Prism, Revolve, Shape, Solid, Sphere
 from ropsim.spatial import Array
 
 SIDES = 56
 """Facets round a body of revolution."""
 _STACKS = 20  # of a sphere
+_BAR = 0.002  # [m], radius of the bar that stands for a line
+_X, _Z = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
 
 
 def facets(shape: Shape) -> Array:
     """Return the triangles of a shape in the frame of its body [m], shape (k, 3, 3).
 
-    Lines have no triangles, nor have meshes, which are files of a project. Corners go counter-clockwise as
-    seen from outside.
+    Lines are thin bars. Meshes have no triangles: they are files of a project. Corners go counter-clockwise
+    as seen from outside.
     """
     made = _facets(shape.solid)
     X = shape.pose.matrix()
@@ -38,6 +40,8 @@ def _facets(solid: Solid) -> Array:
             return _turned(profile)
         case Prism(outline, length):
             return _drawn_out(outline, 0.0, length)
+        case Polyline(points):
+            return _bars(points)
         case _:
             return np.empty((0, 3, 3))
 
@@ -63,6 +67,26 @@ def _drawn_out(outline: tuple[tuple[float, float], ...], low: float, high: float
     ]
     ears = np.array(_ears(flat))
     return _with_area(np.concatenate((*sides, top[ears], bottom[ears[:, ::-1]])))
+
+
+def _bars(points: tuple[Point3, ...]) -> Array:
+    """Return a bar of three sides for each straight part of a line."""
+    line = np.array(points)
+    start, way = line[:-1], np.diff(line, axis=0)
+    long = np.linalg.norm(way, axis=1) > 1e-9
+    start, way = start[long], way[long]
+    other = np.where(np.abs(way[:, 2:]) > 0.9 * np.linalg.norm(way, axis=1)[:, None], _X, _Z)
+    one = np.cross(way, other)
+    one /= np.linalg.norm(one, axis=1)[:, None]
+    two = np.cross(way, one) / np.linalg.norm(way, axis=1)[:, None]
+    angles = 2.0 * pi / 3.0 * np.arange(3)
+    rings = start + _BAR * (np.cos(angles)[:, None, None] * one + np.sin(angles)[:, None, None] * two)
+    ends, following = rings + way, np.roll(np.arange(3), -1)
+    sides = (
+        np.stack((rings, rings[following], ends[following]), axis=2),
+        np.stack((rings, ends[following], ends), axis=2),
+    )
+    return _with_area(np.concatenate([side.reshape(-1, 3, 3) for side in sides]))
 
 
 def _ears(flat: Array) -> list[tuple[int, int, int]]:

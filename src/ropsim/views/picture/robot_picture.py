@@ -1,7 +1,8 @@
 """A robot in its rest position as a picture: parallel light and view, a shadow on the floor, edges dark."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from math import cos, radians, sin
+from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -22,6 +23,10 @@ _AMBIENT, _KEY, _BACK = 0.42, 0.55, 0.16
 _EDGE = 0.62  # share of the light at an edge
 _STEP = 0.02  # of depth that makes an edge, as a share of the picture
 _SHADOW = 0.3  # opacity of the shadow
+_CLEAR = 0.2  # opacity up to which a shape is left out
+
+Placed: TypeAlias = tuple[Array, tuple[Shape, ...]]
+"""Frame of a body in the base frame, shape (4, 4), and its shapes."""
 
 
 @frozen_dataclass
@@ -55,7 +60,21 @@ def picture_print(robot: RobotModel, options: PictureOptions = DEFAULT) -> str:
 
 def robot_png(robot: RobotModel, options: PictureOptions = DEFAULT) -> bytes:
     """Return a picture of a robot as a PNG file, on a transparent ground."""
-    scene, colours, bodies = _scene(robot)
+    words = {"Title": robot.name, "Source": picture_print(robot, options)}
+    return bodies_png(_bodies(robot), words, options)
+
+
+def bodies_png(
+    bodies: Iterable[Placed], words: Mapping[str, str], options: PictureOptions = DEFAULT
+) -> bytes:
+    """Return a picture of bodies as a PNG file, on a transparent ground; nearly clear shapes are left out.
+
+    Args:
+        bodies: frame in the base frame, shape (4, 4), and shapes of each.
+        words: texts that are written into the file, by keyword.
+        options: how they are seen.
+    """
+    scene, colours, numbers = _scene(bodies)
     size = options.width * options.finer
     view, scale, shift = _view(scene, options, size)
     flat = np.stack((scale, -scale, scale)) * (scene @ view.T) + shift
@@ -64,25 +83,25 @@ def robot_png(robot: RobotModel, options: PictureOptions = DEFAULT) -> bytes:
     shadow = DepthBuffer(size, size)
     fallen = scene - np.multiply.outer(scene[..., 2], _LIGHT / _LIGHT[2])  # along the light on to the floor
     shadow.draw(np.stack((scale, -scale, scale)) * (fallen @ view.T) + shift)
-    pixels = _shaded(buffer, shadow, _lit(scene, colours), bodies)
+    pixels = _shaded(buffer, shadow, _lit(scene, colours), numbers)
     mean = pixels.reshape(options.width, options.finer, options.width, options.finer, 4).mean(axis=(1, 3))
-    words = {"Title": robot.name, "Source": picture_print(robot, options)}
-    return png_bytes(_rounded(mean), words)
+    return png_bytes(_rounded(mean), dict(words))
 
 
-def _scene(robot: RobotModel) -> tuple[Array, Array, Array]:
+def _scene(bodies: Iterable[Placed]) -> tuple[Array, Array, Array]:
     """Return triangles in the base frame, their colours from 0 to 1, and the number of the body of each."""
     found = [
         (facets(shape) @ X[:3, :3].T + X[:3, 3], _colour(shape), body)
-        for body, (X, shapes) in enumerate(_bodies(robot))
+        for body, (X, shapes) in enumerate(bodies)
         for shape in shapes
+        if shape.opacity > _CLEAR
     ]
     triangles = np.concatenate([one for one, _, _ in found])
     colours = np.concatenate([np.tile(colour, (len(one), 1)) for one, colour, _ in found])
     return triangles, colours, np.concatenate([np.full(len(one), body) for one, _, body in found])
 
 
-def _bodies(robot: RobotModel) -> Iterator[tuple[Array, tuple[Shape, ...]]]:
+def _bodies(robot: RobotModel) -> Iterator[Placed]:
     """Yield base, links and cylinders at home: frame in the base frame, and shapes."""
     frames = joint_frames(robot, robot.home)
     yield np.eye(4), robot.base_shapes

@@ -1,0 +1,1 @@
+"""Commands that serve until they are ended: the studio and the language server."""

@@ -1,0 +1,167 @@
+"""Records of the part library: kinds of parts with their parameters, products, and finished parts."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import field
+from enum import StrEnum
+from typing import TypeAlias
+
+from ropsim.core import frozen_dataclass
+from ropsim.model import LIGHT_GREY, Gripper, Payload, Shape
+from ropsim.spatial import Pose, record
+
+Values: TypeAlias = Mapping[str, float]
+"""Values of parameters by name, in SI units."""
+
+
+class Use(StrEnum):
+    """Table of a cell file that a part is for: a tool, a fixed object, or a device of that kind."""
+
+    TOOL = "tool"
+    OBJECT = "object"
+    CONVEYOR = "conveyor"
+    TURNTABLE = "turntable"
+
+
+class Measure(StrEnum):
+    """Quantity of a parameter."""
+
+    LENGTH = "length"
+    MASS = "mass"
+    TIME = "time"
+    COUNT = "count"
+
+
+class Origin(StrEnum):
+    """Where a number comes from."""
+
+    PUBLISHED = "published"
+    DERIVED = "derived"
+    ESTIMATED = "estimated"
+    RECALLED = "recalled"
+
+
+@frozen_dataclass
+class Parameter:
+    """A number that a kind of part is made from.
+
+    Attributes:
+        name: key in a cell file.
+        measure: its quantity.
+        default: value if the user and the product have none [SI]; None for a value that follows
+            from the others, as `meaning` says.
+        low: least value allowed [SI].
+        high: greatest value allowed [SI].
+        meaning: one sentence.
+        origin: of the default.
+        source: of the default and of the usual range; empty for an estimate by eye.
+    """
+
+    name: str
+    measure: Measure
+    default: float | None
+    low: float
+    high: float
+    meaning: str
+    origin: Origin = Origin.ESTIMATED
+    source: str = ""
+
+
+@frozen_dataclass
+class Fact:
+    """A published figure of a product that its part is not made from.
+
+    Attributes:
+        name: such as `grip force`.
+        values: one value, least and greatest, or three edges.
+        unit: as it is shown.
+    """
+
+    name: str
+    values: tuple[float, ...]
+    unit: str
+
+
+@frozen_dataclass
+class Product:
+    """A named product: values of parameters with their origin.
+
+    Attributes:
+        name: key in a cell file, such as `franka_hand`.
+        title: name by the maker or the standard.
+        values: parameters with a value in the source [SI].
+        origin: of these values.
+        source: file, standard or page that the values are from.
+        estimates: further parameters, estimated by eye [SI].
+        facts: further figures of the source.
+    """
+
+    name: str
+    title: str
+    values: Values
+    origin: Origin
+    source: str
+    estimates: Values = field(default_factory=dict)
+    facts: tuple[Fact, ...] = ()
+
+
+@record
+class LibraryPart:
+    """A finished part.
+
+    Attributes:
+        shapes: of its fixed body; of a tool in the mechanical interface frame, of a device in its base frame.
+        moving_shapes: of the body that a device moves, in the frame of that.
+        load: mass, centre of mass and inertia, in the frame of the shapes.
+        X_MT: tool frame in the mechanical interface frame; None for a part that is no tool.
+        gripper: of a tool that grasps.
+        colour: main colour, of the shapes that are painted in another colour on request.
+    """
+
+    shapes: tuple[Shape, ...]
+    moving_shapes: tuple[Shape, ...] = ()
+    load: Payload = Payload()
+    X_MT: Pose | None = None
+    gripper: Gripper | None = None
+    colour: str = LIGHT_GREY
+
+
+@frozen_dataclass
+class PartKind:
+    """A kind of part: a function from parameters to a part, with the ranges in which it holds.
+
+    Attributes:
+        name: key in a cell file.
+        title: name in a list.
+        use: table of a cell file that it is for.
+        frame: where its frame lies, a sentence.
+        parameters: in the order in which they are listed.
+        make: returns the part for values of all parameters that have one.
+        products: named products.
+        at_most: pairs of parameters of which the first must not exceed the second.
+    """
+
+    name: str
+    title: str
+    use: Use
+    frame: str
+    parameters: tuple[Parameter, ...]
+    make: Callable[[Values], LibraryPart]
+    products: tuple[Product, ...] = ()
+    at_most: tuple[tuple[str, str], ...] = ()
+
+    def product(self, name: str) -> Product | None:
+        """Return the product of a name, None for an unknown one."""
+        return next((one for one in self.products if one.name == name), None)
+
+    def defaults(self, product: Product | None = None) -> dict[str, float]:
+        """Return the values of a product, completed by the defaults of the kind [SI]."""
+        own = {one.name: one.default for one in self.parameters if one.default is not None}
+        return own if product is None else {**own, **product.estimates, **product.values}
+
+    def conflict(self, values: Values) -> tuple[Parameter, Parameter] | None:
+        """Return the first two parameters of which one exceeds its upper bound, the other; None for none."""
+        known = {one.name: one for one in self.parameters}
+        for small, large in self.at_most:
+            if values[small] > values[large]:
+                return known[small], known[large]
+        return None

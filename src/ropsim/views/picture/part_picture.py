@@ -1,0 +1,37 @@
+"""A part of the library as a picture: a tool hangs down with its fingers open, anything else stands."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from ropsim.kinematics import joint_frames
+from ropsim.parts import LibraryPart
+from ropsim.spatial import fingerprint
+from ropsim.views.picture.robot_picture import DRAWING, PictureOptions, Placed, bodies_png
+
+SEEN = PictureOptions(azimuth=-58.0, elevation=12.0)
+"""How parts are seen without other options."""
+_HANGING = np.diag([1.0, -1.0, -1.0, 1.0])
+
+
+def part_print(part: LibraryPart, options: PictureOptions = SEEN) -> str:
+    """Return a key that changes with the picture of a part."""
+    return fingerprint((DRAWING, options, part))
+
+
+def part_png(title: str, part: LibraryPart, options: PictureOptions = SEEN) -> bytes:
+    """Return a picture of a part as a PNG file, on a transparent ground."""
+    words = {"Title": title, "Source": part_print(part, options)}
+    turn = np.eye(4) if part.X_MT is None else _HANGING
+    return bodies_png(((turn @ X, shapes) for X, shapes in _bodies(part)), words, options)
+
+
+def _bodies(part: LibraryPart) -> Iterator[Placed]:
+    """Yield the fixed body, the moving one and the fingers."""
+    yield np.eye(4), part.shapes
+    yield np.eye(4), part.moving_shapes
+    fingers = part.gripper.fingers if part.gripper else None
+    if fingers is not None:
+        frames = joint_frames(fingers.mechanism, np.array([fingers.opened]))
+        for X, link in zip(frames, fingers.mechanism.links, strict=False):
+            yield X, link.shapes
