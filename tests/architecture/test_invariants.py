@@ -178,5 +178,5 @@ def test_files_of_users_are_read_by_the_reader_that_is_bounded() -> None:
         and not any(isinstance(one, ast.Name) and one.id == "icr" for one in ast.walk(node.func))
     }
     assert (
-        found - {"cli/commands/servers/lsp.py", "cli/terminal/streams.py"} == OWN_READERS
+        found - {"cli/commands/servers.py", "cli/terminal/streams.py"} == OWN_READERS
     )  # those open the streams of the process

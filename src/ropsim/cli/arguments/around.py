@@ -27,7 +27,7 @@ def studio(commands: Commands) -> None:
         help="port (default: that of the last time, else any free one)",
     )
     parser.add_argument("--no-browser", action="store_true", help="do not open the browser")
-    parser.set_defaults(command=lazy("servers.studio:studio"), json=False)
+    parser.set_defaults(command=lazy("servers:studio"), json=False)
 
 
 def trust(commands: Commands) -> None:
@@ -50,4 +50,4 @@ def lsp(commands: Commands) -> None:
         help="language server for editors, on standard input and output",
         description="Diagnostics, completion and hover for task programs and cell files. Editors start it.",
     )
-    parser.set_defaults(command=lazy("servers.lsp:lsp"), json=False)
+    parser.set_defaults(command=lazy("servers:lsp"), json=False)

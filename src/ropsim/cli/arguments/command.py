@@ -38,7 +38,7 @@ def command(
     Args:
         commands: to which it is added.
         name: of the command.
-        function: that runs it, `module:name` in `ropsim.cli.commands`, with the room before a dot.
+        function: that runs it, `module:name` in `ropsim.cli.commands`.
         text: its effect, a sentence without capital and full stop.
         more: further sentences of its own help.
     """

@@ -5,12 +5,14 @@ from collections.abc import Iterator
 import numpy as np
 
 from ropsim.kinematics import joint_frames
+from ropsim.model import Shape
 from ropsim.parts import LibraryPart
 from ropsim.spatial import fingerprint
 from ropsim.views.picture.robot_picture import DRAWING, PictureOptions, Placed, bodies_png
 
 SEEN = PictureOptions(azimuth=-58.0, elevation=12.0)
 """How parts are seen without other options."""
+_CLEAR = 0.2
 _HANGING = np.diag([1.0, -1.0, -1.0, 1.0])
 
 
@@ -23,7 +25,12 @@ def part_png(title: str, part: LibraryPart, options: PictureOptions = SEEN) -> b
     """Return a picture of a part as a PNG file, on a transparent ground."""
     words = {"Title": title, "Source": part_print(part, options)}
     turn = np.eye(4) if part.X_MT is None else _HANGING
-    return bodies_png(((turn @ X, shapes) for X, shapes in _bodies(part)), words, options)
+    return bodies_png(((turn @ X, _seen(shapes)) for X, shapes in _bodies(part)), words, options)
+
+
+def _seen(shapes: tuple[Shape, ...]) -> tuple[Shape, ...]:
+    """Return the shapes that are not nearly clear: the picture has no opacity."""
+    return tuple(shape for shape in shapes if shape.opacity > _CLEAR)
 
 
 def _bodies(part: LibraryPart) -> Iterator[Placed]:

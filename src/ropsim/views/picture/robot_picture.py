@@ -23,7 +23,6 @@ _AMBIENT, _KEY, _BACK = 0.42, 0.55, 0.16
 _EDGE = 0.62  # share of the light at an edge
 _STEP = 0.02  # of depth that makes an edge, as a share of the picture
 _SHADOW = 0.3  # opacity of the shadow
-_CLEAR = 0.2  # opacity up to which a shape is left out
 
 Placed: TypeAlias = tuple[Array, tuple[Shape, ...]]
 """Frame of a body in the base frame, shape (4, 4), and its shapes."""
@@ -67,7 +66,7 @@ def robot_png(robot: RobotModel, options: PictureOptions = DEFAULT) -> bytes:
 def bodies_png(
     bodies: Iterable[Placed], words: Mapping[str, str], options: PictureOptions = DEFAULT
 ) -> bytes:
-    """Return a picture of bodies as a PNG file, on a transparent ground; nearly clear shapes are left out.
+    """Return a picture of bodies as a PNG file, on a transparent ground.
 
     Args:
         bodies: frame in the base frame, shape (4, 4), and shapes of each.
@@ -94,7 +93,6 @@ def _scene(bodies: Iterable[Placed]) -> tuple[Array, Array, Array]:
         (facets(shape) @ X[:3, :3].T + X[:3, 3], _colour(shape), body)
         for body, (X, shapes) in enumerate(bodies)
         for shape in shapes
-        if shape.opacity > _CLEAR
     ]
     triangles = np.concatenate([one for one, _, _ in found])
     colours = np.concatenate([np.tile(colour, (len(one), 1)) for one, colour, _ in found])

@@ -1,1 +1,0 @@
-"""Commands that serve until they are ended: the studio and the language server."""
