@@ -30,6 +30,8 @@ WRONG_COUNT = define(
 )
 
 _NIROX = (".stp", ".step")
+_SAID_BEFORE = {"X990": "X855", "X989": "X852"}
+"""Findings of a reader on estimates and masses, and those of an audit that say the same."""
 COLUMNS = 80
 """Width to which sources are wrapped."""
 
@@ -122,6 +124,8 @@ def audit(options: argparse.Namespace, output: Output) -> int:
     asked = find_robot(requested(options, options.name))
     say_tip(asked, output)
     doubts = _doubts(asked.robot, asked.place_of) if asked.robot else ()
+    said = {_SAID_BEFORE.get(one.code) for one in asked.findings}
+    doubts = tuple(one for one in doubts if one.code not in said)
     found = (*asked.findings, *doubts)
     code = output.findings(found, {asked.text.name: asked.text} if asked.text else {})
     output.document({"ok": code == 0, "tip": tip_name(asked), **diagnostic_document(found)})

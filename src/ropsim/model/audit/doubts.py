@@ -10,6 +10,7 @@ from math import inf, sqrt
 import numpy as np
 
 from ropsim.core import Diagnostic
+from ropsim.model.audit.distant_centres import distant_centres
 from ropsim.model.audit.drive_doubts import drive_doubts
 from ropsim.model.drives.drive import IdealMotor
 from ropsim.model.findings import doubt_diagnostics as kinds
@@ -46,6 +47,7 @@ def doubts(robot: Mechanism, place_of: PlaceOf) -> Iterator[Diagnostic]:
         yield from _range(number, robot.joints[number], place_of)
     yield from _copied(robot, place_of)
     yield from _doubled_axes(robot, place_of)
+    yield from distant_centres(robot, place_of)
     yield from drive_doubts(robot, place_of)
 
 
@@ -83,17 +85,26 @@ def _masses(robot: Mechanism, place_of: PlaceOf) -> Iterator[Diagnostic]:
     yield from _placeholders(robot.links, place_of)
     for number, link in enumerate(robot.links):
         if link.mass > 0.0 and np.isfinite(link.inertia).all():
-            yield from _extent(number, link, length, place_of)
+            turns = number < len(robot.joints) and robot.joints[number].type is JointType.REVOLUTE
+            measures = _measures(link)[1:] if turns else _measures(link)
+            yield from _extent(number, measures, length, place_of)
 
 
-def _extent(number: int, link: Link, length: float, place_of: PlaceOf) -> Iterator[Diagnostic]:
-    """Yield a centre of mass, or a radius of gyration, that is outside of the whole arm."""
+def _measures(link: Link) -> tuple[tuple[float, Attribute, str, str], ...]:
+    """Return distance of the centre of mass and radius of gyration [m], with words for a finding."""
     away = float(np.linalg.norm(link.com))
     gyration = sqrt(max(float(np.abs(np.diagonal(link.inertia)).max()), 0.0) / link.mass)
-    for value, attribute, what, unit in (
+    return (
         (away, Attribute.COM, "its centre of mass", "are centres of mass in the unit of length of the file?"),
         (gyration, Attribute.INERTIA, "its radius of gyration", "inertias are in kg·m²"),
-    ):
+    )
+
+
+def _extent(
+    number: int, measures: tuple[tuple[float, Attribute, str, str], ...], length: float, place_of: PlaceOf
+) -> Iterator[Diagnostic]:
+    """Yield measures of a link that are outside of the whole arm; for turning links see `distant_centres`."""
+    for value, attribute, what, unit in measures:
         if value > length > 0.0:
             yield kinds.UNLIKELY_INERTIA.at(
                 place_of(AuditPlace(number, attribute)),

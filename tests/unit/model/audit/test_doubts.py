@@ -107,3 +107,18 @@ def test_arms_of_another_unit_of_length_are_doubted(scale: float) -> None:
     X_nM = Pose(scale * arm.X_nM.position)
     massless = tuple(Link(0.0, np.zeros(3), np.zeros((3, 3))) for _ in joints)
     assert doubted(replace(arm, joints=joints, X_nM=X_nM, links=massless)) == ["X869"]
+
+
+def test_centres_of_mass_beside_their_links_are_one_finding() -> None:
+    """Files of a maker had all centres of mass in the frame of the base."""
+    arm = robots.load("irb120")
+    assert "X865" not in doubted(arm)
+    moved = [replace(link, com=link.com + np.array([0.2, 0.2, 0.2])) for link in arm.links]
+    (found,) = (one for one in audit(with_links(arm, *moved)) if one.code == "X865")
+    assert "`1`, `2`, `3`, `4`, `5`, `6`" in found.message
+    assert "the longest link has" in found.message
+
+
+def test_no_library_arm_has_a_centre_beside_its_link() -> None:
+    for name in robots.names():
+        assert [one for one in audit(robots.load(name)) if "beside them" in one.message] == [], name
