@@ -20,6 +20,9 @@ mass = 0.8
 com = [0, 0, 60]
 inertia = [0.001, 0.001, 0.0005, 0, 0, 0]
 gripper = { open_time = 0.2, close_time = 0.2, capture = 5 }
+[tools.cups]
+part = { kind = "vacuum_gripper", model = "franka_cobot_pump", cups_x = 2, cup_diameter = 30, pitch = 60 }
+parts = [{ name = "plate", part = { kind = "flange", thickness = 10 } }]
 [frames.pallet]
 position = [500, 200, 0]
 quaternion = [1, 0, 0, 0]
@@ -57,6 +60,10 @@ shapes = [{ prism = { outline = [[0, 0], [9, 0], [0, 9]], length = 4 } }, { revo
 name = "fence"
 position = [500, 0, 0]
 shapes = [{ line = [[0, 0, 0], [1, 0, 0]] }, { mesh = "geometry/fence.stl", scale = 0.001 }]
+[[objects]]
+name = "euro"
+position = [900, 800, 0]
+part = { kind = "eur_pallet", model = "eur_1", mass = 25 }
 [signals.ready]
 input = 1
 changes = [[0.5, true], [1.5, false]]
@@ -121,6 +128,19 @@ step = 90
 speed = 120
 acceleration = 400
 in_place = "stands"
+[devices.second]
+kind = "conveyor"
+part = { kind = "belt_conveyor", length = 1500, height = 600 }
+base = { position = [350, 3000, 600] }
+speed = 250
+[devices.disc]
+kind = "turntable"
+part = { kind = "turntable", diameter = 500 }
+base = { position = [3000, 600, 400] }
+signal = "closed"
+on = 90
+speed = 120
+acceleration = 400
 [[objects]]
 name = "fixture"
 parent = "table"

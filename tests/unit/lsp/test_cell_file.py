@@ -112,6 +112,23 @@ def test_keys_of_a_location_with_a_name_in_quotes_are_those_of_a_location(folder
     assert "colour" not in found
 
 
+def test_kinds_models_and_parameters_of_a_library_part_are_offered(folder: Path) -> None:
+    text = text_of(folder)
+    kinds = labels(folder, text.replace("[tools.jaws]\n", '[tools.jaws]\npart = { kind = "|" }\n'))
+    assert {"two_finger_gripper", "vacuum_gripper", "flange"} == set(kinds)
+    begun = '[tools.jaws]\npart = { kind = "two_finger_gripper", model = "|" }\n'
+    assert "franka_hand" in labels(folder, text.replace("[tools.jaws]\n", begun))
+    begun = '[tools.jaws]\npart = { kind = "two_finger_gripper", | }\n'
+    assert {"model", "stroke", "finger_length"} <= set(labels(folder, text.replace("[tools.jaws]\n", begun)))
+
+
+def test_a_parameter_of_a_library_part_tells_its_meaning_and_range(folder: Path) -> None:
+    begun = '[tools.jaws]\npart = { kind = "two_finger_gripper", model = "franka_hand", stro|ke = 50 }\n'
+    told = hover(folder, "[tools.jaws]\n", begun)
+    assert "Distance between the open fingers; closed they touch." in told
+    assert "number, 2 to 400 mm; without it 80 mm" in told
+
+
 @pytest.mark.parametrize("begun", ["shapes = [\n  { |", "shapes = [{ |", "shapes = [\n  { |\n]\n"])
 def test_keys_of_a_form_are_offered_in_a_list_of_forms(folder: Path, begun: str) -> None:
     text = text_of(folder).replace("[tools.jaws]\n", f"[tools.jaws]\n{begun}\n")
