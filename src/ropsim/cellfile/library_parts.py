@@ -20,6 +20,7 @@ from ropsim.tomltext import (
     Units,
     read_kind,
     read_look,
+    read_pose,
     read_shapes,
 )
 
@@ -67,6 +68,8 @@ class GivenPart:
 def read_part(table: TomlTable, units: Units, use: Use) -> GivenPart | None:
     """Return the library part of the key `part`; None where the key is absent or its kind is wrong.
 
+    A tool may be mounted at a pose in the mechanical interface frame, in front of an adapter.
+
     Args:
         table: of a tool, an object or a device.
         units: of the file.
@@ -91,9 +94,10 @@ def read_part(table: TomlTable, units: Units, use: Use) -> GivenPart | None:
             values[parameter.name] = value
     if len(inner.findings.items) == noted:
         _note_conflict(inner, kind, values, units)
+    X_MP = read_pose(inner, units) if use is Use.TOOL else Pose()
     inner.finish()
     fits = kind.conflict(values) is None
-    return GivenPart(kind.make(values if fits else kind.defaults()), values)
+    return GivenPart(parts.mounted(kind.make(values if fits else kind.defaults()), X_MP), values)
 
 
 def read_painted(table: TomlTable, units: Units, part: LibraryPart) -> tuple[Shape, ...]:

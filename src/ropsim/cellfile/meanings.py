@@ -17,6 +17,7 @@ MEANINGS: Mapping[str, str] = {
     "robot": "The robot of a cell with one station; `[stations.NAME]` describes several.",
     "part": "Part of the library by kind, model and dimensions; keys next to it replace single data.",
     "part.kind": "Kind of part, see `ropsim part list`.",
+    "part.position": "Place of the part in the mechanical interface frame, such as in front of an adapter.",
     "part.model": "Product whose figures the part has; further keys replace single ones.",
     "model": "Name of a built-in robot, or path of a robot file in the project folder.",
     "tip": "Link that carries the tool, of a robot file in URDF, xacro or MJCF.",

@@ -9,6 +9,7 @@ from ropsim.parts.diagnostics import PartValueError as PartValueError
 from ropsim.parts.diagnostics import UnknownPartError as UnknownPartError
 from ropsim.parts.fingers import parallel_fingers as parallel_fingers
 from ropsim.parts.fingers import shaped_fingers as shaped_fingers
+from ropsim.parts.mounting import mounted as mounted
 from ropsim.parts.part_kind import Fact as Fact
 from ropsim.parts.part_kind import LibraryPart as LibraryPart
 from ropsim.parts.part_kind import Measure as Measure

@@ -6,8 +6,10 @@ import pytest
 from ropsim import collision
 from ropsim.cellfile import asked_in_cell_file, meaning_of, read_cell
 from ropsim.core import Diagnostic, SourceText
+from ropsim.kinematics import joint_frames
 from ropsim.model import BeltDrive, Cell
 from ropsim.parts import PART_KINDS, PartKind, Use, library_part
+from ropsim.spatial import Pose
 
 ARM = '[robot]\nmodel = "ur10e"\nbase = { position = [0, 0, 500] }\n'
 SIGNAL = "[signals.go]\noutput = 1\n"
@@ -107,6 +109,13 @@ def test_another_colour_is_that_of_the_main_colour_alone() -> None:
     assert all(old.colour == plain.colour and new.colour == "#123456" for old, new in changed)
 
 
+def test_opacity_and_material_are_those_of_the_main_colour_alone() -> None:
+    plain = library_part("table")
+    seen = right(of_kind(PART_KINDS["table"]) + 'opacity = 0.5\nmaterial = "wood"\n').objects[0].shapes
+    changed = [new for old, new in zip(plain.shapes, seen, strict=True) if old != new]
+    assert [(one.colour, one.opacity, one.material.value) for one in changed] == [(plain.colour, 0.5, "wood")]
+
+
 def test_own_shapes_of_an_object_replace_those_of_the_part() -> None:
     cell = right(of_kind(PART_KINDS["table"]) + "size = [100, 100, 100]\n")
     assert len(cell.objects[0].shapes) == 1
@@ -189,3 +198,29 @@ def test_every_parameter_has_a_form_and_a_meaning_for_the_editor(kind: PartKind)
         question = questions[*path, parameter.name]
         assert question.quantity is not None
         assert meaning_of((*path, parameter.name), question) == parameter.meaning
+
+
+def test_a_tool_in_front_of_an_adapter_is_moved_as_a_whole() -> None:
+    kind = PART_KINDS["two_finger_gripper"]
+    tool = right(of_kind(kind, ", position = [10, 0, 30], rpy = [0, 0, 90]")).first.tools["a"]
+    part = library_part(kind.name)
+    assert part.X_MT is not None
+    assert part.gripper is not None
+    assert part.gripper.fingers is not None
+    assert tool.fingers is not None
+    X_MP = Pose(np.array([0.01, 0.0, 0.03]), np.array([1.0, 0.0, 0.0, 1.0]))
+    assert tool.X_MT.matrix() == pytest.approx((X_MP @ part.X_MT).matrix())
+    assert tool.com == pytest.approx(X_MP.position + X_MP.rotation() @ part.load.com)
+    assert np.diag(tool.inertia) == pytest.approx(np.diag(part.load.inertia)[[1, 0, 2]])
+    q = np.array([tool.fingers.opened])
+    for own, moved in zip(
+        joint_frames(part.gripper.fingers.mechanism, q), joint_frames(tool.fingers.mechanism, q), strict=True
+    ):
+        assert moved == pytest.approx(X_MP.matrix() @ own)
+    for old, new in zip(part.shapes, tool.shapes, strict=True):
+        assert new.pose.matrix() == pytest.approx((X_MP @ old.pose).matrix())
+
+
+def test_an_object_has_its_place_outside_of_its_part() -> None:
+    one = wrong(of_kind(PART_KINDS["fence"], ", position = [0, 0, 10]"))
+    assert (one.code, "position" in one.message) == ("X802", True)

@@ -161,6 +161,10 @@ def test_the_tcp_is_between_the_pads_and_the_fingers_reach_beyond_it() -> None:
     assert part.X_MT is not None
     assert points(part)[:, 2].max() == pytest.approx(part.X_MT.position[2] + 0.02)
     assert part.X_MT.position[:2] == pytest.approx([0.0, 0.0])
+    flush = library_part("two_finger_gripper", grip_depth=0.0)
+    assert flush.X_MT is not None
+    assert flush.X_MT.position[2] == pytest.approx(part.X_MT.position[2] + 0.02)
+    assert points(flush)[:, 2].max() == pytest.approx(points(part)[:, 2].max())
 
 
 @pytest.mark.parametrize("kind", ["vacuum_gripper", "flange"])
