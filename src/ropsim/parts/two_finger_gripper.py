@@ -77,7 +77,7 @@ def _finger(values: Values, front: float, X_MT: Pose) -> tuple[Shape, ...]:
     return (
         block(
             (wide, 1.3 * thick, jaw + embraced),
-            (0.0, pad + 0.65 * thick, base + (jaw - embraced) / 2.0),
+            (0.0, 0.7 * pad + 0.65 * thick, base + (jaw - embraced) / 2.0),
             DARK,
         ),
         block(
