@@ -13,7 +13,7 @@ def read_kind(table: TomlTable, known: Sequence[str]) -> str:
     Nothing else in that table is to be read.
     """
     kind = table.text("kind", "")
-    if kind:
+    if kind or table.values.get("kind") == "":
         return table.choice("kind", known, "")
     table.ask("kind", Question(Sort.TEXT, choices=tuple(known)))
     if "kind" in table:

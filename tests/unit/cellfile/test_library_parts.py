@@ -162,6 +162,8 @@ def test_a_part_lies_on_it(kind: str, place: tuple[int, int, int], size: tuple[i
         ('{ kind = "eur_pallet", model = "eur1" }', "X808", "is `eur1`", "did you mean `eur_1`?"),
         ('{ kind = "flange" }', "X923", "part for a tool, and not for an object", "`eur_pallet`"),
         ("{ }", "X803", "needs `kind`", '"fence"'),
+        ('{ kind = "" }', "X808", "is ``, allowed are `fence`", ""),
+        ('{ kind = "eur_pallet", model = "" }', "X808", "is ``, allowed are `eur_1`", ""),
         ("3", "X804", "is a whole number", ""),
         ('{ kind = "table", width = "wide" }', "X804", "is text", ""),
     ],
@@ -224,3 +226,9 @@ def test_a_tool_in_front_of_an_adapter_is_moved_as_a_whole() -> None:
 def test_an_object_has_its_place_outside_of_its_part() -> None:
     one = wrong(of_kind(PART_KINDS["fence"], ", position = [0, 0, 10]"))
     assert (one.code, "position" in one.message) == ("X802", True)
+
+
+@pytest.mark.parametrize("head", ["[devices.a]\n", "[stations.a.mechanism]\n"])
+def test_an_empty_kind_is_a_finding(head: str) -> None:
+    one = wrong(f'{ARM}{head}kind = ""\n')
+    assert (one.code, "is ``, allowed are" in one.message) == ("X808", True)
