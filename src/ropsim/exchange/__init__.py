@@ -4,6 +4,8 @@ from ropsim.exchange.files.folder import ReadOptions as ReadOptions
 from ropsim.exchange.files.folder import RobotFolder as RobotFolder
 from ropsim.exchange.files.surroundings import around_file as around_file
 from ropsim.exchange.files.surroundings import in_project as in_project
+from ropsim.exchange.losses.diagnostics import DOUBTFUL_BODY as DOUBTFUL_BODY
+from ropsim.exchange.losses.diagnostics import LIMIT_UNKNOWN as LIMIT_UNKNOWN
 from ropsim.exchange.losses.loss_diagnostics import losses_refused as losses_refused
 from ropsim.exchange.nirox_door import kept_lost as kept_lost
 from ropsim.exchange.nirox_door import read_nirox as read_nirox

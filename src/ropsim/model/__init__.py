@@ -91,6 +91,8 @@ from ropsim.model.drives.hydraulics import HydraulicMotor as HydraulicMotor
 from ropsim.model.drives.linkage import Linkage as Linkage
 from ropsim.model.drives.linkage import Point as Point
 from ropsim.model.drives.linkage import linkage as linkage
+from ropsim.model.findings.diagnostics import ESTIMATED_PARAMETERS as ESTIMATED_PARAMETERS
+from ropsim.model.findings.diagnostics import MASSLESS_LINK as MASSLESS_LINK
 from ropsim.model.findings.number_range import ModelValueError as ModelValueError
 from ropsim.model.findings.place import Attribute as Attribute
 from ropsim.model.findings.place import AuditPlace as AuditPlace

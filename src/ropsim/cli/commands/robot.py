@@ -3,6 +3,7 @@
 import argparse
 import math
 import textwrap
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +15,15 @@ from ropsim.cli.terminal.named_robot import asked_robot, named_robot, requested,
 from ropsim.cli.terminal.output import Output, cannot_write
 from ropsim.cli.terminal.solver_words import solver_document, solver_lines
 from ropsim.core import Category, Diagnostic, RopsimError, Severity, define, replace_file
-from ropsim.model import Joint, JointType, PlaceOf, RobotModel, coupled_limits
+from ropsim.model import (
+    ESTIMATED_PARAMETERS,
+    MASSLESS_LINK,
+    Joint,
+    JointType,
+    PlaceOf,
+    RobotModel,
+    coupled_limits,
+)
 from ropsim.model import audit as audit_model
 from ropsim.records import diagnostic_document
 from ropsim.spatial import quaternion
@@ -30,8 +39,6 @@ WRONG_COUNT = define(
 )
 
 _NIROX = (".stp", ".step")
-_SAID_BEFORE = {"X990": "X855", "X989": "X852"}
-"""Findings of a reader on estimates and masses, and those of an audit that say the same."""
 COLUMNS = 80
 """Width to which sources are wrapped."""
 
@@ -124,12 +131,20 @@ def audit(options: argparse.Namespace, output: Output) -> int:
     asked = find_robot(requested(options, options.name))
     say_tip(asked, output)
     doubts = _doubts(asked.robot, asked.place_of) if asked.robot else ()
-    said = {_SAID_BEFORE.get(one.code) for one in asked.findings}
+    said = _said_by_reader(asked.findings)
     doubts = tuple(one for one in doubts if one.code not in said)
     found = (*asked.findings, *doubts)
     code = output.findings(found, {asked.text.name: asked.text} if asked.text else {})
     output.document({"ok": code == 0, "tip": tip_name(asked), **diagnostic_document(found)})
     return code
+
+
+def _said_by_reader(findings: Iterable[Diagnostic]) -> set[str]:
+    """Return the codes of an audit that say the same as findings of a reader, on estimates and masses."""
+    from ropsim.exchange import DOUBTFUL_BODY, LIMIT_UNKNOWN
+
+    same = {LIMIT_UNKNOWN.code: ESTIMATED_PARAMETERS.code, DOUBTFUL_BODY.code: MASSLESS_LINK.code}
+    return {same[one.code] for one in findings if one.code in same}
 
 
 def _doubts(robot: RobotModel, place_of: PlaceOf) -> tuple[Diagnostic, ...]:
