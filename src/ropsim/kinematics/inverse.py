@@ -136,6 +136,8 @@ def inverse(robot: RobotModel, pose: Pose, options: IkOptions | None = None) -> 
 def branches_near(robot: RobotModel, pose: Pose, near: Array) -> Array | None:
     """Return the `branches` that `inverse` finds near to joint coordinates, sooner than with all else of it.
 
+    Limits are ignored, but for a redundant arm, whose free coordinate is chosen within them.
+
     Args:
         robot: arm with n joints.
         pose: X_BM.

@@ -46,7 +46,9 @@ def span(pose: Pose, x: float, y: float) -> Array | None:
     half, X = np.array([0.03, 0.025, 0.02]), pose.inverse()
     place = X.position + X.rotation() @ [x, y, 0.0] + [0.0, 0.0, 0.02]
     along = X.rotation()[:, 2]
-    cuts = [(side * half[k] - place[k]) / along[k] for k in range(3) if along[k] != 0.0 for side in (-1, 1)]
+    cuts = [
+        (side * half[k] - place[k]) / along[k] for k in range(3) if abs(along[k]) > 1e-12 for side in (-1, 1)
+    ]
     within = [z for z in cuts if (np.abs(place + z * along) <= half + ROUNDING).all()]
     return np.array([min(within), max(within)]) if within else None
 
@@ -63,7 +65,8 @@ def test_the_gap_below_a_part_is_the_least_on_its_lines(
     xs, ys = (np.linspace(part.low[0, k] + inset[k], part.high[0, k] - inset[k], 7) for k in (0, 1))
     both = [(span(high, x, y), span(low, x, y)) for x in xs for y in ys]
     met = [(one, two) for one, two in both if one is not None and two is not None]
-    gaps = [one[0] - two[1] for one, two in met if two[0] < one[0] and below.low[0, 2] < part.low[0, 2]]
+    is_below = below.low[0, 2] < part.low[0, 2] - ROUNDING
+    gaps = [one[0] - two[1] for one, two in met if two[0] < one[0] and is_below]
     depth = max([two[1] - one[0] for one, two in met if one[0] < two[1] and one[1] > two[0]], default=0.0)
     (found,) = standings(part, stacked([below, part]), GAP)
     assert found.depth == pytest.approx(depth if depth > 1e-9 else 0.0, abs=1e-8)
