@@ -92,7 +92,9 @@ from ropsim.model.drives.linkage import Linkage as Linkage
 from ropsim.model.drives.linkage import Point as Point
 from ropsim.model.drives.linkage import linkage as linkage
 from ropsim.model.findings.diagnostics import ESTIMATED_PARAMETERS as ESTIMATED_PARAMETERS
+from ropsim.model.findings.diagnostics import INDEFINITE_INERTIA as INDEFINITE_INERTIA
 from ropsim.model.findings.diagnostics import MASSLESS_LINK as MASSLESS_LINK
+from ropsim.model.findings.diagnostics import TRIANGLE_VIOLATED as TRIANGLE_VIOLATED
 from ropsim.model.findings.number_range import ModelValueError as ModelValueError
 from ropsim.model.findings.place import Attribute as Attribute
 from ropsim.model.findings.place import AuditPlace as AuditPlace

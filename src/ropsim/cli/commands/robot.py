@@ -17,7 +17,9 @@ from ropsim.cli.terminal.solver_words import solver_document, solver_lines
 from ropsim.core import Category, Diagnostic, RopsimError, Severity, define, replace_file
 from ropsim.model import (
     ESTIMATED_PARAMETERS,
+    INDEFINITE_INERTIA,
     MASSLESS_LINK,
+    TRIANGLE_VIOLATED,
     Joint,
     JointType,
     PlaceOf,
@@ -143,8 +145,11 @@ def _said_by_reader(findings: Iterable[Diagnostic]) -> set[str]:
     """Return the codes of an audit that say the same as findings of a reader, on estimates and masses."""
     from ropsim.exchange import DOUBTFUL_BODY, LIMIT_UNKNOWN
 
-    same = {LIMIT_UNKNOWN.code: ESTIMATED_PARAMETERS.code, DOUBTFUL_BODY.code: MASSLESS_LINK.code}
-    return {same[one.code] for one in findings if one.code in same}
+    same = {
+        LIMIT_UNKNOWN.code: (ESTIMATED_PARAMETERS,),
+        DOUBTFUL_BODY.code: (MASSLESS_LINK, INDEFINITE_INERTIA, TRIANGLE_VIOLATED),
+    }
+    return {kind.code for one in findings for kind in same.get(one.code, ())}
 
 
 def _doubts(robot: RobotModel, place_of: PlaceOf) -> tuple[Diagnostic, ...]:
