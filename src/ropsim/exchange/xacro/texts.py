@@ -1,5 +1,6 @@
 """Texts of an expanded file: their values, the files that they name, limits of their cost."""
 
+from ropsim.core import near
 from ropsim.exchange.files.folder import ReadOptions
 from ropsim.exchange.files.xml_tree import MOST_ELEMENTS, Element
 from ropsim.exchange.losses.diagnostics import XACRO_MESSAGE
@@ -129,6 +130,14 @@ class Texts:
         if path is None:
             why, hint = self._folder.absence(name)
             return XacroError(f"the file `{shown(name)}` is {why}", hint)
+        unknown = [one for one in self._given if one not in self._asked]
+        if unknown:
+            close = near(unknown[0], self._asked, limit=1)
+            hint = f"the file has no argument `{shown(unknown[0])}`"
+            return XacroError(
+                f"the file `{shown(name)}` is not there",
+                f"{hint}, did you mean `{close[0]}`?" if close else hint,
+            )
         values = listed(f"{one}={value}" for one, value in self._arguments.items())
         hint = f"does an argument need another value? They are {values}: `--arg NAME=VALUE`" if values else ""
         return XacroError(f"the file `{shown(name)}` is not there", hint or "look at its name")

@@ -8,7 +8,7 @@ from ropsim import robots
 from ropsim.cellfile import is_foreign_file, is_robot_file
 from ropsim.core import Diagnostic, RopsimError, SourceText, frozen_dataclass
 from ropsim.model import PlaceOf, ReadRobot, RobotModel, RobotSource, WrittenRobot, nowhere
-from ropsim.userfiles import read_text_file
+from ropsim.userfiles import missing_file, read_text_file
 from ropsim.workbench.robots.carried_meshes import project_of_robot
 from ropsim.workbench.robots.read_request import ReadRequest, unused_request
 from ropsim.workbench.robots.robot_files import no_step_file, read_robot, unknown_format, unwritten_format
@@ -71,6 +71,9 @@ def find_robot(name: str | Path | RobotSource) -> NamedRobot:
         if request.words:
             raise RobotFileError(unused_request(source.path, request.words))
         return NamedRobot(robots.load(source.path))
+    for _, folder in source.packages:
+        if not Path(folder).is_dir():
+            raise RobotFileError(missing_file(Path(folder), folder))
     path = Path(source.path)
     if path.suffix.lower() not in ROBOT_FORMATS:
         raise RobotFileError(unknown_format(source.path, path))

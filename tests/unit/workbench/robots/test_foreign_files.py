@@ -238,6 +238,19 @@ def test_arguments_of_a_file_without_xacro_are_an_error(maker: Path) -> None:
         load_robot(place, arguments={"reach": "1"})
 
 
+def test_a_misspelt_argument_is_named_where_its_default_names_a_file(maker: Path) -> None:
+    maker.write_text(MAIN.replace('filename="hand.xacro"', 'filename="$(arg reach).xacro"'), "utf-8")
+    with pytest.raises(RobotFileError, match="is not there") as error:
+        load_robot(maker, arguments={"reech": "hand"})
+    assert error.value.diagnostic.hint == "the file has no argument `reech`, did you mean `reach`?"
+
+
+def test_a_given_package_folder_that_is_not_there_is_an_error(maker: Path, tmp_path: Path) -> None:
+    with pytest.raises(RobotFileError, match="there is no file or folder") as error:
+        load_robot(maker, packages={"arm_resources": str(tmp_path / "nowhere")})
+    assert error.value.diagnostic.code == "X840"
+
+
 def test_a_file_that_an_argument_names_wrongly_is_answered_with_the_arguments(maker: Path) -> None:
     maker.write_text(MAIN.replace('filename="hand.xacro"', 'filename="$(arg reach).xacro"'), "utf-8")
     with pytest.raises(RobotFileError, match=r"`0.4.xacro` is not there") as error:
