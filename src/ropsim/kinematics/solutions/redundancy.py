@@ -56,7 +56,7 @@ def reachable(solver: RedundantSolver, chain: ChainArrays, X_BM: Array, limits: 
     starts = within(beyond, narrow, turning)
     if not len(starts):
         starts, beyond = _searched(chain, X_BM, beyond, limits)
-    arcs = arcs_of(chain, X_BM, starts, narrow, solver.free_axis)
+    arcs = arcs_of(chain, X_BM, starts, narrow, solver)
     return Reachable(arcs, tuple(_values(solver, arc) for arc in arcs), beyond)
 
 
@@ -148,7 +148,10 @@ def _nearest_on(
         if len(rows):
             apart = rows - start
             apart -= TURN * np.round(apart / TURN)
-            return here, rows[int(np.argmin(np.abs(apart).max(axis=1)))]
+            aside = np.abs(apart).max(axis=1)
+            row = int(np.argmin(aside))
+            if aside[row] <= np.abs(arc[k + 1] - arc[k]).max():
+                return here, rows[row]
     return float(values[at]), arc[at]
 
 

@@ -5,10 +5,13 @@ import numpy as np
 from ropsim.kinematics.chain.arrays import ChainArrays
 from ropsim.kinematics.solutions.selection_kernel import LIMIT_SLACK
 from ropsim.kinematics.solutions.self_motion_kernel import CLOSED, Work, mark_covered, trace_rows
+from ropsim.kinematics.solutions.solver import RedundantSolver
 from ropsim.spatial import Array
 
 POINTS = 500
 """Largest number of points of an arc to one side of where it is begun."""
+JUMP = np.pi / 2.0
+"""The free coordinate changes less than this from point to point of one curve [rad]."""
 TURN = 2.0 * np.pi
 
 
@@ -39,27 +42,49 @@ def within(rows: Array, limits: Array, turning: Array) -> Array:
     return np.asarray(np.clip(turned[inside], lower, upper))
 
 
-def arcs_of(chain: ChainArrays, X_BM: Array, starts: Array, limits: Array, free: int) -> tuple[Array, ...]:
+def arcs_of(
+    chain: ChainArrays, X_BM: Array, starts: Array, limits: Array, solver: RedundantSolver
+) -> tuple[Array, ...]:
     """Return the arcs of answers on which starts lie, each once.
+
+    Where two curves come so near to each other that the one is followed into the other, as those of an elbow
+    that is almost stretched, the free coordinate jumps. There the arc ends, and starts with another free
+    coordinate than that of an arc next to them begin arcs of their own.
 
     Args:
         chain: of the arm.
         X_BM: the pose, shape (4, 4).
         starts: joint coordinates that reach it within the limits [rad | m], shape (m, n).
         limits: of `narrow_limits`, shape (2, n).
-        free: axis that is the free coordinate, whose turning points become points of the arcs; -1 for none.
+        solver: of the arm.
 
     Returns:
         Joint coordinates along each arc [rad | m], one small step from the other and without jumps by whole
         turns, shape (s, n); a closed one ends where it begins; one row for a pose that is reached in a point
         only.
     """
-    arcs, known = [], np.zeros(len(starts))
+    arcs, known = list[Array](), np.zeros(len(starts))
+    marked, wide = _marked(starts, solver), np.hstack((limits, [[-1.0, -1.0], [1.0, 1.0]]))
     for k, q in enumerate(starts):
         if not known[k]:
-            arcs.append(_arc(chain, X_BM, q, limits, free))
-            mark_covered(arcs[-1], starts, limits, known)
+            for arc in _split(_arc(chain, X_BM, q, limits, solver.free_axis), solver):
+                arcs.append(arc)
+                mark_covered(_marked(arc, solver), marked, wide, known)
+            known[k] = 1.0
     return tuple(arcs)
+
+
+def _marked(rows: Array, solver: RedundantSolver) -> Array:
+    """Return joint coordinates (m, n) with cosine and sine of the free coordinate, shape (m, n + 2)."""
+    values = solver.free_values(rows)
+    return np.column_stack((rows, np.cos(values), np.sin(values)))
+
+
+def _split(arc: Array, solver: RedundantSolver) -> list[Array]:
+    """Return the parts of an arc (s, n) between jumps of the free coordinate."""
+    steps = np.diff(solver.free_values(arc))
+    steps -= TURN * np.round(steps / TURN)
+    return np.split(arc, np.flatnonzero(np.abs(steps) > JUMP) + 1)
 
 
 def _arc(chain: ChainArrays, X_BM: Array, q: Array, limits: Array, free: int) -> Array:
@@ -68,12 +93,15 @@ def _arc(chain: ChainArrays, X_BM: Array, q: Array, limits: Array, free: int) ->
     Q, ends = np.empty((2, POINTS, n)), np.array([[1.0, 0.0], [-1.0, 0.0]])
     Q[:, 0] = q
     work = Work(np.empty((m + 1, 12)), np.zeros((n + 12, max(n, 6))), np.empty((7, m)), np.empty((6, n)))
-    trace_rows(chain.flat, chain.spread, X_BM, limits, free, Q[:1], ends[:1], work)
-    ahead = Q[0, : int(ends[0, 0])]
-    if ends[0, 1] == CLOSED:
-        return np.vstack((ahead, ahead[-1] - _apart(ahead[-1], q, limits)))
-    trace_rows(chain.flat, chain.spread, X_BM, limits, free, Q[1:], ends[1:], work)
-    return np.ascontiguousarray(np.concatenate((Q[1, 1 : int(ends[1, 0])][::-1], ahead)))
+    for side in (0, 1):
+        trace_rows(
+            chain.flat, chain.spread, X_BM, limits, free, Q[side : side + 1], ends[side : side + 1], work
+        )
+        if ends[side, 1] == CLOSED:
+            whole = Q[side, : int(ends[side, 0])]
+            return np.vstack((whole, whole[-1] - _apart(whole[-1], q, limits)))
+    ahead, back = (Q[side, : int(ends[side, 0])] for side in (0, 1))
+    return np.ascontiguousarray(np.concatenate((back[:0:-1], ahead)))
 
 
 def _apart(q: Array, other: Array, limits: Array) -> Array:
