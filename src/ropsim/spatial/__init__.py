@@ -10,6 +10,8 @@ from ropsim.spatial.bits import bits_without as bits_without
 from ropsim.spatial.diagnostics import PoseError as PoseError
 from ropsim.spatial.numbers import cross as cross
 from ropsim.spatial.numbers import real_numbers as real_numbers
+from ropsim.spatial.numbers import significant as significant
+from ropsim.spatial.numbers import without_residues as without_residues
 from ropsim.spatial.pose import Array as Array
 from ropsim.spatial.pose import Pose as Pose
 from ropsim.spatial.pose import frozen as frozen

@@ -1,14 +1,15 @@
 """What the origins of estimated groups of parameters say: the rule, and how far it may be off."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from math import isfinite
 
 from ropsim.model import ArmClass, ParameterOrigin
 from ropsim.robotfile.estimation import joint_friction, rotors, torque_limits
 from ropsim.robotfile.estimation.accelerations import TO_FULL_SPEED, TO_FULL_SPEED_OF_WRIST, USED_SHARE
+from ropsim.robotfile.estimation.joint_friction import CompletedFrictions
 from ropsim.robotfile.estimation.link_masses import DENSITY
 
-ESTIMATED = "estimated"
+DERIVED, ESTIMATED = "derived", "estimated"
 MASSES_OFF = "loads ±12 %"
 """How far gravity and inertia of the axes may be off with the rated payload, if the total mass is known."""
 MASSES_WEAKLY_OFF = "loads ×1.75"
@@ -66,7 +67,7 @@ def balance_origin(names: Sequence[str]) -> ParameterOrigin:
         f"torque of {', '.join(names)}: springs or weights balance the arm, or "
         "loads have further limits"
     )
-    return ParameterOrigin("balance of the arm", "derived", words)
+    return ParameterOrigin("balance of the arm", DERIVED, words)
 
 
 def rotor_origin() -> ParameterOrigin:
@@ -78,14 +79,42 @@ def rotor_origin() -> ParameterOrigin:
     return ParameterOrigin(f"rotors and gears ({rotors.ACCURACY})", ESTIMATED, words)
 
 
-def friction_origin() -> ParameterOrigin:
-    """Return the origin of friction."""
+def friction_origins(names: Sequence[str], made: CompletedFrictions) -> list[ParameterOrigin]:
+    """Return the origins of friction that is known of some axes, and by rule of the others.
+
+    Args:
+        names: of all axes.
+        made: their friction.
+    """
     words = (
         f"dry {100.0 * joint_friction.DRY:.3g} % of the torque limit, of the wrist "
         f"{100.0 * joint_friction.DRY_OF_WRIST:.3g} %; "
         f"viscous {100.0 * joint_friction.VISCOUS:.3g} % of it at full speed"
     )
-    return ParameterOrigin(f"friction ({joint_friction.ACCURACY})", ESTIMATED, words)
+    if made.unused:
+        axes = ", ".join(names[k] for k in made.unused)
+        words += f"; viscous friction of {axes} in the file is below a hundredth of that, and not used"
+    every = range(len(names))
+    by_rule = (tuple(k for k in every if k not in one) for one in (made.dry, made.viscous))
+    known = (
+        ParameterOrigin(group, DERIVED, "read from the file")
+        for group in _frictions(names, made.dry, made.viscous)
+    )
+    estimated = (
+        ParameterOrigin(f"{group} ({joint_friction.ACCURACY})", ESTIMATED, words)
+        for group in _frictions(names, *by_rule)
+    )
+    return [*known, *estimated]
+
+
+def _frictions(names: Sequence[str], dry: Sequence[int], viscous: Sequence[int]) -> Iterator[str]:
+    """Yield what dry friction of some axes and viscous friction of some axes are called."""
+    groups = (
+        (("friction", dry),) if dry == viscous else (("dry friction", dry), ("viscous friction", viscous))
+    )
+    for group, axes in groups:
+        if axes:
+            yield group + ("" if len(axes) == len(names) else f" of {', '.join(names[k] for k in axes)}")
 
 
 def acceleration_origin() -> ParameterOrigin:
