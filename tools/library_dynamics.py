@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from ropsim.core import Diagnostic
-from ropsim.model import ParameterOrigin, RobotModel
+from ropsim.model import OriginKind, ParameterOrigin, RobotModel
 from ropsim.robotfile import ArmFacts, TorqueTrust, estimated_dynamics
 from ropsim.spatial import frozen, without_residues
 
@@ -57,7 +57,7 @@ def _driven(robot: RobotModel, row: dict[str, Any]) -> RobotModel:
         trust=TorqueTrust(row.get("torques", "file")),
     )
     if "rotors" in row:
-        origin = ParameterOrigin("rotors and gears", row["rotor_kind"], row["rotor_source"])
+        origin = ParameterOrigin("rotors and gears", OriginKind(row["rotor_kind"]), row["rotor_source"])
         robot = replace(robot, origins=(*robot.origins, origin))
     made = estimated_dynamics(robot, facts)
     if isinstance(made, Diagnostic):

@@ -1,6 +1,7 @@
 """Static descriptions: arm, drives, controller, work cell. Immutable; a run keeps its own state."""
 
 from ropsim.flow import ROBOT as ROBOT
+from ropsim.flow import OriginKind as OriginKind
 from ropsim.flow import ParameterOrigin as ParameterOrigin
 from ropsim.flow import prefix_of as prefix_of
 from ropsim.model.audit.audit import audit as audit
@@ -100,8 +101,10 @@ from ropsim.model.findings.place import Attribute as Attribute
 from ropsim.model.findings.place import AuditPlace as AuditPlace
 from ropsim.model.findings.place import PlaceOf as PlaceOf
 from ropsim.model.findings.place import nowhere as nowhere
+from ropsim.model.geometry.elements import DARK_GREY as DARK_GREY
 from ropsim.model.geometry.elements import LIGHT_GREY as LIGHT_GREY
 from ropsim.model.geometry.elements import MESH_ENDINGS as MESH_ENDINGS
+from ropsim.model.geometry.elements import STEEL_GREY as STEEL_GREY
 from ropsim.model.geometry.elements import Box as Box
 from ropsim.model.geometry.elements import Cylinder as Cylinder
 from ropsim.model.geometry.elements import Material as Material

@@ -1,6 +1,8 @@
 """Values of space: poses and rotations; no robot, no time."""
 
 from ropsim.spatial import quaternion as quaternion
+from ropsim.spatial.angles import ALONG_X as ALONG_X
+from ropsim.spatial.angles import ALONG_Y as ALONG_Y
 from ropsim.spatial.angles import TOOL_FROM_APPROACH as TOOL_FROM_APPROACH
 from ropsim.spatial.angles import approach_orientation as approach_orientation
 from ropsim.spatial.angles import pitch_roll_yaw as pitch_roll_yaw
@@ -17,6 +19,7 @@ from ropsim.spatial.pose import Pose as Pose
 from ropsim.spatial.pose import frozen as frozen
 from ropsim.spatial.pose import quaternion_from_matrix as quaternion_from_matrix
 from ropsim.spatial.pose import quaternions_from_matrices as quaternions_from_matrices
+from ropsim.spatial.pose import translation as translation
 from ropsim.spatial.quaternion import PoseTuple as PoseTuple
 from ropsim.spatial.record import fingerprint as fingerprint
 from ropsim.spatial.record import record as record

@@ -19,6 +19,7 @@ from ropsim.model import (
     Joint,
     JointType,
     Link,
+    OriginKind,
     ParameterOrigin,
     RobotModel,
     with_coupled_axes,
@@ -37,17 +38,8 @@ from ropsim.robotfile.estimation.estimate_words import (
     torque_origin,
     without_accelerations,
 )
-from ropsim.robotfile.estimation.joint_friction import (
-    JointFriction,
-    completed_frictions,
-    joint_frictions,
-)
-from ropsim.robotfile.estimation.link_masses import (
-    bodies,
-    extended_length,
-    link_masses,
-    total_mass,
-)
+from ropsim.robotfile.estimation.joint_friction import JointFriction, completed_frictions, joint_frictions
+from ropsim.robotfile.estimation.link_masses import bodies, extended_length, link_masses, total_mass
 from ropsim.robotfile.estimation.loads import axis_loads
 from ropsim.robotfile.estimation.palletizer_masses import palletizer_length, palletizer_links
 from ropsim.robotfile.estimation.recognition import arm_class_of, level_chain
@@ -195,7 +187,7 @@ def _with_masses(
 
 def _are_accelerations_estimated(robot: RobotModel) -> bool:
     """Return whether the joint accelerations of an arm are estimates already."""
-    return any("acceleration" in one.parameters and one.kind == "estimated" for one in robot.origins)
+    return any("acceleration" in one.parameters and one.kind is OriginKind.ESTIMATED for one in robot.origins)
 
 
 def _with_acceleration(joint: Joint, most: float) -> Joint:

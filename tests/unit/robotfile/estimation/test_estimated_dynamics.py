@@ -21,6 +21,7 @@ from ropsim.model import (
     IdealMotor,
     Joint,
     Link,
+    OriginKind,
     ParameterOrigin,
     RobotModel,
     audit,
@@ -36,7 +37,7 @@ def bare(name: str) -> RobotModel:
     robot = robots.load(name)
     joints: list[Joint] = [replace(joint, max_effort=inf) for joint in robot.joints]
     links = [Link(0.0, np.zeros(3), np.zeros((3, 3)), link.shapes) for link in robot.links]
-    guess = ParameterOrigin("joint accelerations and jerks", "estimated", "full speed within 0.25 s")
+    guess = ParameterOrigin("joint accelerations and jerks", OriginKind.ESTIMATED, "full speed within 0.25 s")
     return replace(robot, joints=tuple(joints), links=tuple(links), drives=(), origins=(guess,))
 
 
@@ -61,7 +62,7 @@ def test_an_arm_of_which_only_axes_are_known_gets_masses_and_drives_that_hold_it
     loads = axis_loads(robot, payload)
     assert (loads.greatest_gravity < 0.75 * robot.max_efforts).all()
     for group in ESTIMATES:
-        assert words(robot, group).kind == "estimated"
+        assert words(robot, group).kind is OriginKind.ESTIMATED
 
 
 @pytest.mark.parametrize("name", ["panda", "kr6_r900_2", "ur10e"])
@@ -93,7 +94,7 @@ def test_known_rotors_stay() -> None:
     robot = robots.load("panda")
     found = rotor_inertias(robot, robot.home[None])[0]
     np.testing.assert_allclose(found[[0, 2, 4]], [0.605721456, 0.462474144, 0.205544064], rtol=1e-9)
-    assert words(robot, "rotors and gears").kind == "published"
+    assert words(robot, "rotors and gears").kind is OriginKind.PUBLISHED
 
 
 @pytest.mark.parametrize("name", ["irb140", "gp7", "irb660_180_315"])
@@ -206,7 +207,7 @@ def test_a_damping_below_a_hundredth_of_the_rule_is_no_measured_friction() -> No
 
 def test_an_arm_with_drives_gets_the_torque_limits_that_it_lacks() -> None:
     robot = robots.load("manutec_r3")
-    assert words(robot, "torque limits").kind == "estimated"
+    assert words(robot, "torque limits").kind is OriginKind.ESTIMATED
     np.testing.assert_allclose(robot.max_efforts, [1201, 1201, 554, 89.6, 89.6, 53.8], rtol=0.02)
     assert robot.drives[0].motor == IdealMotor(0.0013)
 
