@@ -63,8 +63,7 @@ Coulomb friction that vanishes at a stop is made up for within the last millisec
 
 TORQUE_SHARE = 0.06
 """Rate at which errors die out under computed torque [rad/s] over the control rate [Hz]: the held output
-costs
-about 7 degrees where its speed loop, twice as fast, crosses over."""
+costs about 7 degrees where its speed loop, twice as fast, crosses over."""
 
 IN_POSITION = 0.2e-3
 """Window of a fine stop [rad | m]."""

@@ -82,7 +82,6 @@ def _robot(
         notes.take(one)
     if wrong:
         return None
-    weight_findings(description, joints, links, interface, notes)
     carried_names(description, tree, placed, tip, notes)
     robot = RobotModel(
         name=description.name,
@@ -99,6 +98,7 @@ def _robot(
         X_nM=interface,
         tip=carrier,
     )
+    weight_findings(description, robot, notes)
     note_cut_ranges(robot, driven, notes)
     return _that_carries_itself(robot, driven, source, notes) if drives else robot
 
