@@ -13,7 +13,7 @@ from ropsim.exchange.losses.notes import Notes
 MOST_CHARACTERS = 20_000_000
 """Of one file."""
 MOST_ELEMENTS = 30_000
-"""Characters of one file, including the results of its macros."""
+"""Of one file, including the results of its macros."""
 MOST_DEPTH = 200
 """Elements in each other; a body of MJCF stands in the one that carries it."""
 MOST_ATTRIBUTE = 20_000

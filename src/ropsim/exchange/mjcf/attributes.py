@@ -1,4 +1,8 @@
-"""Attributes of MJCF that are read or change neither motion nor weight; all others are reported by name."""
+"""Attributes of MJCF that need no report of their own; all others are reported by name.
+
+Some are read, some change neither motion nor weight, and those for the control of actuators are reported with
+the actuators. What `size`, `option`, `visual` and the elements beside the bodies say is not looked at.
+"""
 
 from collections.abc import Mapping
 from types import MappingProxyType
@@ -7,6 +11,7 @@ from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE, LOST_MOTION
 from ropsim.exchange.losses.notes import Notes
+from ropsim.exchange.mjcf.settings import ACTUATORS
 
 
 def _names(text: str) -> frozenset[str]:
@@ -26,6 +31,16 @@ _JOINT = """
 type pos axis range limited ref damping frictionloss armature stiffness springref actuatorfrcrange
 actuatorfrclimited margin solreflimit solimplimit solreffriction solimpfriction
 """
+_ACTUATOR = _names("""
+joint jointinparent tendon site refsite slidersite cranksite cranklength body gear ctrllimited ctrlrange
+forcelimited forcerange lengthrange delay interp nsample
+""")
+_CONTROL = _names("""
+actdim actlimited actrange actearly dyntype dynprm gaintype gainprm biastype biasprm inheritrange input kp kv
+ki dampratio timeconst imax posrange velrange ffrange slewmax area diameter bias gain force fpmax fvmax lmax
+lmin range scale tausmooth vmax cogging controller inductance lugre motorconst nominal resistance saturation
+thermal plugin instance
+""")
 KNOWN: Mapping[str, frozenset[str]] = MappingProxyType(
     {
         "compiler": _names(_COMPILER),
@@ -40,14 +55,16 @@ KNOWN: Mapping[str, frozenset[str]] = MappingProxyType(
         | _LOOK
         | _names("type size fromto mesh mass density hfield fitscale fluidshape fluidcoef"),
         "site": _PLACE | _NAME | _LOOK | _names("type size fromto"),
+        "motor": _NAME | _ACTUATOR,
+        **{kind: _NAME | _ACTUATOR | _CONTROL for kind in sorted(ACTUATORS - {"motor"})},
         "mesh": _NAME | _names("file scale content_type smoothnormal maxhullvert texcoord material inertia"),
     }
 )
 """Attributes by element; elements that stand elsewhere are not checked."""
-_CHECKED = ("compiler", "default", "asset", "worldbody")
+_CHECKED = ("compiler", "default", "asset", "worldbody", "actuator")
 _MOVING = _names(
     "joint/springdamper joint/actuatorgravcomp body/mocap geom/shellinertia mesh/refpos mesh/refquat"
-)
+) | {f"{kind}/{key}" for kind in ACTUATORS for key in ("armature", "damping")}
 _OTHERS = Topic(LOST_DESCRIPTION, "attributes", "attributes {} are not read")
 _MOTION = Topic(
     LOST_MOTION,

@@ -151,10 +151,10 @@ def _mesh_shapes(
         return ()
     scale = numbers_of(asset, "scale", notes, (1.0, 1.0, 1.0))
     file = asset.attributes.get("file", "")
-    if settings.strip == "true":
+    if settings.strips_paths:
         file = file.replace("\\", "/").rpartition("/")[2]
-    if settings.meshes and "://" not in file:
-        file = f"{settings.meshes.rstrip('/')}/{file}"
+    if settings.mesh_folder and "://" not in file:
+        file = f"{settings.mesh_folder.rstrip('/')}/{file}"
     mesh: Mesh | None = mesh_of(file, scale, folder, asset.span, notes)
     colour, opacity = _colour(geom, assets, notes)
     return (Shape(mesh, X, colour, opacity),) if mesh else ()

@@ -1,4 +1,4 @@
-"""Settings of an MJCF file: units of angles, order of Euler angles, and defaults by class."""
+"""Settings of an MJCF file: units of angles, order of Euler angles, folders, and defaults by class."""
 
 from collections.abc import Mapping
 from math import radians
@@ -9,10 +9,19 @@ from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.diagnostics import BAD_NUMBER, SAME_ENTITY, UNKNOWN_ENTITY
 from ropsim.exchange.losses.gathered import shown
 from ropsim.exchange.losses.notes import Notes
+from ropsim.exchange.mjcf.keywords import Keyword, says
 from ropsim.exchange.mjcf.weight_rules import WeightRules, weight_rules
 
 MAIN = "main"
 """The default class."""
+GENERAL = "general"
+ACTUATORS = frozenset(
+    (
+        *(GENERAL, "motor", "position", "velocity", "intvelocity", "orientation", "pid", "damper"),
+        *("cylinder", "muscle", "adhesion", "dcmotor", "plugin"),
+    )
+)
+"""Actuators; they are ways to write `general`, whose defaults they have and set (XML reference)."""
 _TURNS = ("quat", "axisangle", "xyaxes", "zaxis", "euler")
 """Attributes that say an orientation, each another way: one's own replaces that of the defaults."""
 _OTHER_WAYS = (_TURNS, ("diaginertia", "fullinertia"), ("mass", "density"))
@@ -26,21 +35,21 @@ class Settings:
     """Settings of a whole file.
 
     Attributes:
-        angle: radians in one unit of angles of the file.
-        order: of Euler angles, such as `xyz`; capitals turn about fixed axes.
-        limits: whether a range alone limits a joint (`autolimits`).
+        angle_unit: radians in one unit of angles of the file.
+        euler_order: of Euler angles, such as `xyz`; capitals turn about fixed axes.
+        autolimits: whether a range alone is in force, without an attribute that says so.
         weights: rules for the weights of bodies.
-        meshes: folder of meshes relative to the file.
-        strip: `true` where names of files count without their folders (`strippath`).
-        defaults: attributes by class and element.
+        mesh_folder: folder of meshes relative to the file.
+        strips_paths: whether names of files count without their folders (`strippath`).
+        defaults: attributes by class and element; those of all actuators are those of `general`.
     """
 
-    angle: float
-    order: str
-    limits: str
+    angle_unit: float
+    euler_order: str
+    autolimits: bool
     weights: WeightRules
-    meshes: str
-    strip: str
+    mesh_folder: str
+    strips_paths: bool
     defaults: Defaults
 
     def whole(self, element: Element, inherited: str) -> Element:
@@ -51,7 +60,8 @@ class Settings:
             inherited: class of the bodies around it, where it says none.
         """
         name = element.attributes.get("class", inherited)
-        added = dict(self.defaults.get(name, self.defaults[MAIN]).get(element.name, {}))
+        kind = GENERAL if element.name in ACTUATORS else element.name
+        added = dict(self.defaults.get(name, self.defaults[MAIN]).get(kind, {}))
         for ways in _OTHER_WAYS:
             if any(key in element.attributes for key in ways):
                 added = {key: value for key, value in added.items() if key not in ways}
@@ -67,13 +77,14 @@ def settings_of(root: Element, notes: Notes) -> Settings:
         compiler |= one.attributes
         span = one.span
     _check(compiler, span, notes)
+    whole = Element("compiler", MappingProxyType(compiler), (), span)
     return Settings(
         1.0 if compiler.get("angle", "degree") == "radian" else radians(1.0),
         compiler.get("eulerseq", "xyz"),
-        compiler.get("autolimits", "true"),
-        weight_rules(Element("compiler", MappingProxyType(compiler), (), span), notes),
+        says(whole, "autolimits", notes, Keyword.TRUE),
+        weight_rules(whole, notes),
         compiler.get("meshdir", compiler.get("assetdir", "")),
-        compiler.get("strippath", "false"),
+        says(whole, "strippath", notes),
         _defaults(root, notes),
     )
 
@@ -84,6 +95,10 @@ def _check(compiler: Mapping[str, str], span: Span, notes: Notes) -> None:
     if len(order) != 3 or set(order.lower()) - set("xyz"):
         words = f'`compiler` has eulerseq="{shown(order)}", allowed are three of x, y, z, X, Y, Z'
         notes.add(BAD_NUMBER, span, words, "write such as xyz")
+    angle = compiler.get("angle", "degree")
+    if angle not in ("degree", "radian"):
+        words = f'`compiler` has angle="{shown(angle)}", allowed are degree and radian'
+        notes.add(BAD_NUMBER, span, words, "write one of these words")
     if compiler.get("coordinate", "local") != "local":
         words = f'`compiler` has coordinate="{shown(compiler["coordinate"])}", allowed is local'
         notes.add(BAD_NUMBER, span, words, "save the file by a newer MuJoCo")
@@ -101,8 +116,9 @@ def _defaults(root: Element, notes: Notes) -> Defaults:
             )
         own = {key: dict(values) for key, values in found[above].items()}
         for one in element.children:
-            if one.name != "default":
-                own[one.name] = {**own.get(one.name, {}), **one.attributes}
+            kind = GENERAL if one.name in ACTUATORS else one.name
+            if kind != "default":
+                own[kind] = {**own.get(kind, {}), **one.attributes}
         found[name] = own
         waiting += [(one, name) for one in reversed(element.all("default"))]
     return found
