@@ -7,9 +7,10 @@ the actuators. What `size`, `option`, `visual` and the elements beside the bodie
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from ropsim.exchange.files.unread import UNREAD, UNREAD_MOTION, note_unread, unread
 from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.gathered import Topic
-from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE, LOST_MOTION
+from ropsim.exchange.losses.loss_diagnostics import LOST_DRIVE
 from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.mjcf.settings import ACTUATORS
 
@@ -65,13 +66,6 @@ _CHECKED = ("compiler", "default", "asset", "worldbody", "actuator")
 _MOVING = _names(
     "joint/springdamper joint/actuatorgravcomp body/mocap geom/shellinertia mesh/refpos mesh/refquat"
 ) | {f"{kind}/{key}" for kind in ACTUATORS for key in ("armature", "damping")}
-_OTHERS = Topic(LOST_DESCRIPTION, "attributes", "attributes {} are not read")
-_MOTION = Topic(
-    LOST_MOTION,
-    "attributes",
-    "attributes {} are not read, but change motion or weight",
-    "describe the robot without them",
-)
 _CARRIED = Topic(
     LOST_DRIVE,
     "weight compensation",
@@ -90,7 +84,6 @@ def check_attributes(root: Element, notes: Notes) -> None:
         known = KNOWN.get(one.name)
         if known is None:
             continue
-        for key in one.attributes:
-            if key not in known:
-                name = f"{one.name}/{key}"
-                notes.gather(_MOTION if name in _MOVING else _OTHERS, one.span, [name])
+        for key in unread(one, known):
+            moving = f"{one.name}/{key}" in _MOVING
+            note_unread(one, key, UNREAD_MOTION if moving else UNREAD, notes)
