@@ -1,7 +1,7 @@
 """Attributes of MJCF that need no report of their own; all others are reported by name.
 
 Some are read, some change neither motion nor weight, and those for the control of actuators are reported with
-the actuators. What `size`, `option`, `visual` and the elements beside the bodies say is not looked at.
+the actuators. Looked at are the settings, defaults, assets, bodies and actuators of a file.
 """
 
 from collections.abc import Mapping
@@ -61,7 +61,7 @@ KNOWN: Mapping[str, frozenset[str]] = MappingProxyType(
         "mesh": _NAME | _names("file scale content_type smoothnormal maxhullvert texcoord material inertia"),
     }
 )
-"""Attributes by element; elements that stand elsewhere are not checked."""
+"""Attributes by element; other elements are not checked."""
 _CHECKED = ("compiler", "default", "asset", "worldbody", "actuator")
 _MOVING = _names(
     "joint/springdamper joint/actuatorgravcomp body/mocap geom/shellinertia mesh/refpos mesh/refquat"
