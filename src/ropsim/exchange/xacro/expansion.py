@@ -200,12 +200,11 @@ class _Expansion(Calls):
             if literal(one.attributes.get("optional", "")) is True:
                 return []
             raise
-        self._deeper()
-        root = read_xml(SourceText(self._folder.name_of(path), text), self._notes)
-        if root is None:
-            raise XacroError(f"the file `{shown(path)}` cannot be read")
-        self._beside.append(path.rpartition("/")[0])
-        found = self._contents(root, inner, depth)
-        self._beside.pop()
-        self._calls -= 1
+        with self._deeper():
+            root = read_xml(SourceText(self._folder.name_of(path), text), self._notes)
+            if root is None:
+                raise XacroError(f"the file `{shown(path)}` cannot be read")
+            self._beside.append(path.rpartition("/")[0])
+            found = self._contents(root, inner, depth)
+            self._beside.pop()
         return found
