@@ -20,6 +20,7 @@ from ropsim.exchange.mjcf.custom import limited
 from ropsim.exchange.mjcf.geoms import assets_of
 from ropsim.exchange.mjcf.includes import with_included
 from ropsim.exchange.mjcf.key_frames import home_of
+from ropsim.exchange.mjcf.keywords import Keyword, switch_of
 from ropsim.exchange.mjcf.replicas import with_replicas
 from ropsim.exchange.mjcf.settings import settings_of
 from ropsim.exchange.mjcf.weight_rules import scaled_to_total
@@ -91,11 +92,15 @@ def _description(root: Element, options: ReadOptions, notes: Notes) -> Descripti
 
 
 def _gravity(root: Element, notes: Notes) -> tuple[float, float, float]:
+    """Return the acceleration of free fall [m/s²]; zero where a flag disables it."""
     gravity = (0.0, 0.0, -9.81)
+    falls = Keyword.ENABLE
     for option in root.all("option"):
         x, y, z = numbers_of(option, "gravity", notes, gravity)
         gravity = (x, y, z)
-    return gravity
+        for flag in option.all("flag"):
+            falls = switch_of(flag, "gravity", notes, falls)
+    return gravity if falls is Keyword.ENABLE else (0.0, 0.0, 0.0)
 
 
 def _losses(root: Element, notes: Notes) -> None:

@@ -9,8 +9,9 @@ from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_DRIVE
 from ropsim.exchange.losses.notes import Notes
+from ropsim.exchange.mjcf.defaults import MAIN
 from ropsim.exchange.mjcf.joints import range_of
-from ropsim.exchange.mjcf.settings import MAIN, Settings
+from ropsim.exchange.mjcf.settings import Settings
 
 _AS_MOTORS = Topic(LOST_DRIVE, "control of actuators", "actuators {} go over as sources of effort")
 

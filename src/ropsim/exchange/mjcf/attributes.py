@@ -12,7 +12,15 @@ from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_DRIVE
 from ropsim.exchange.losses.notes import Notes
-from ropsim.exchange.mjcf.settings import ACTUATORS
+
+GENERAL = "general"
+ACTUATORS = frozenset(
+    (
+        *(GENERAL, "motor", "position", "velocity", "intvelocity", "orientation", "pid", "damper"),
+        *("cylinder", "muscle", "adhesion", "dcmotor", "plugin"),
+    )
+)
+"""Actuators; they are ways to write `general`, whose defaults they have and set (XML reference)."""
 
 
 def _names(text: str) -> frozenset[str]:
@@ -42,6 +50,9 @@ ki dampratio timeconst imax posrange velrange ffrange slewmax area diameter bias
 lmin range scale tausmooth vmax cogging controller inductance lugre motorconst nominal resistance saturation
 thermal plugin instance
 """)
+_MATERIAL = """
+rgba texture texrepeat texuniform emission specular shininess reflectance metallic roughness
+"""
 KNOWN: Mapping[str, frozenset[str]] = MappingProxyType(
     {
         "compiler": _names(_COMPILER),
@@ -58,6 +69,10 @@ KNOWN: Mapping[str, frozenset[str]] = MappingProxyType(
         "site": _PLACE | _NAME | _LOOK | _names("type size fromto"),
         "motor": _NAME | _ACTUATOR,
         **{kind: _NAME | _ACTUATOR | _CONTROL for kind in sorted(ACTUATORS - {"motor"})},
+        "material": _NAME
+        | _names(
+            "rgba texture texrepeat texuniform emission specular shininess reflectance metallic roughness"
+        ),
         "mesh": _NAME | _names("file scale content_type smoothnormal maxhullvert texcoord material inertia"),
     }
 )

@@ -13,12 +13,13 @@ from ropsim.exchange.losses.diagnostics import BAD_NUMBER, DOUBTFUL_BODY, ELEMEN
 from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_MOTION
 from ropsim.exchange.losses.notes import Notes
+from ropsim.exchange.mjcf.defaults import MAIN
 from ropsim.exchange.mjcf.free_bodies import coordinates_below, coordinates_of, free_base, frees, is_free
 from ropsim.exchange.mjcf.geoms import Assets, Geometry, drawn, geometry_of
 from ropsim.exchange.mjcf.joints import PlacedJoint, connection_of
 from ropsim.exchange.mjcf.keywords import Keyword
 from ropsim.exchange.mjcf.poses import pose_of
-from ropsim.exchange.mjcf.settings import MAIN, Settings, class_of
+from ropsim.exchange.mjcf.settings import Settings, class_of
 from ropsim.exchange.mjcf.weight_rules import corrected
 from ropsim.model import Payload, combine, moved
 from ropsim.spatial import Pose

@@ -71,7 +71,7 @@ def connection_of(
         notes.add(JOINT_IMPOSSIBLE, joint.span, words, f"allowed are {', '.join(_MOTIONS)}")
     made = Connection(name, _MOTIONS.get(kind, Motion.TURN), *ends, X @ placed.anchor(notes), joint.span)
     unit = settings.angle_unit if made.motion is Motion.TURN else 1.0
-    if number_of(joint, "stiffness", notes):
+    if any(numbers_of(joint, "stiffness", notes, (0.0, 0.0, 0.0), least=1)):
         notes.gather(_SPRING, joint.span, [name])
     return replace(
         made,

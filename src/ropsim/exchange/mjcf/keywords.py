@@ -1,4 +1,4 @@
-"""Attributes of MJCF that are `true`, `false` or, some of them, `auto`."""
+"""Attributes of MJCF that are `true`, `false` or, some of them, `auto`; and flags that enable and disable."""
 
 from enum import Enum
 
@@ -9,19 +9,22 @@ from ropsim.exchange.losses.notes import Notes
 
 
 class Keyword(Enum):
-    """What such an attribute says; `auto` leaves it to other data of the file."""
+    """What such an attribute or flag says; `auto` leaves it to other data of the file."""
 
     TRUE = "true"
     FALSE = "false"
     AUTO = "auto"
+    ENABLE = "enable"
+    DISABLE = "disable"
 
 
 _TRUTH = (Keyword.TRUE, Keyword.FALSE)
+_SWITCHES = (Keyword.ENABLE, Keyword.DISABLE)
 
 
 def keyword_of(element: Element, key: str, notes: Notes) -> Keyword:
     """Return what an attribute says that may be `auto`, which it is where it is missing."""
-    return _keyword_of(element, key, notes, tuple(Keyword), Keyword.AUTO)
+    return _keyword_of(element, key, notes, (*_TRUTH, Keyword.AUTO), Keyword.AUTO)
 
 
 def says(element: Element, key: str, notes: Notes, default: Keyword = Keyword.FALSE) -> bool:
@@ -34,6 +37,11 @@ def says(element: Element, key: str, notes: Notes, default: Keyword = Keyword.FA
         default: if the attribute is missing.
     """
     return _keyword_of(element, key, notes, _TRUTH, default) is Keyword.TRUE
+
+
+def switch_of(flag: Element, key: str, notes: Notes, before: Keyword) -> Keyword:
+    """Return what a flag of `option` enables or disables; what held before where it does not say."""
+    return _keyword_of(flag, key, notes, _SWITCHES, before)
 
 
 def _keyword_of(

@@ -6,28 +6,12 @@ from types import MappingProxyType
 
 from ropsim.core import Span, frozen_dataclass
 from ropsim.exchange.files.xml_tree import Element
-from ropsim.exchange.losses.diagnostics import BAD_NUMBER, SAME_ENTITY, UNKNOWN_ENTITY
+from ropsim.exchange.losses.diagnostics import BAD_NUMBER, UNKNOWN_ENTITY
 from ropsim.exchange.losses.gathered import shown
 from ropsim.exchange.losses.notes import Notes
+from ropsim.exchange.mjcf.defaults import MAIN, Defaults, defaults_of, kind_of, merged
 from ropsim.exchange.mjcf.keywords import Keyword, says
 from ropsim.exchange.mjcf.weight_rules import WeightRules, weight_rules
-
-MAIN = "main"
-"""The default class."""
-GENERAL = "general"
-ACTUATORS = frozenset(
-    (
-        *(GENERAL, "motor", "position", "velocity", "intvelocity", "orientation", "pid", "damper"),
-        *("cylinder", "muscle", "adhesion", "dcmotor", "plugin"),
-    )
-)
-"""Actuators; they are ways to write `general`, whose defaults they have and set (XML reference)."""
-_TURNS = ("quat", "axisangle", "xyaxes", "zaxis", "euler")
-"""Attributes that say an orientation, each another way: one's own replaces that of the defaults."""
-_OTHER_WAYS = (_TURNS, ("diaginertia", "fullinertia"), ("mass", "density"))
-
-Defaults = Mapping[str, Mapping[str, Mapping[str, str]]]
-"""Attributes of each element by the name of the element, by class."""
 
 
 @frozen_dataclass
@@ -41,7 +25,7 @@ class Settings:
         weights: rules for the weights of bodies.
         mesh_folder: folder of meshes relative to the file.
         strips_paths: whether names of files count without their folders (`strippath`).
-        defaults: attributes by class and element; those of all actuators are those of `general`.
+        defaults: classes by name.
     """
 
     angle_unit: float
@@ -60,12 +44,8 @@ class Settings:
             inherited: class of the bodies around it, where it says none.
         """
         name = element.attributes.get("class", inherited)
-        kind = GENERAL if element.name in ACTUATORS else element.name
-        added = dict(self.defaults.get(name, self.defaults[MAIN]).get(kind, {}))
-        for ways in _OTHER_WAYS:
-            if any(key in element.attributes for key in ways):
-                added = {key: value for key, value in added.items() if key not in ways}
-        attributes = MappingProxyType({**added, **element.attributes})
+        added = self.defaults.get(name, self.defaults[MAIN]).of(kind_of(element))
+        attributes = MappingProxyType(merged(added, element.attributes))
         return Element(element.name, attributes, element.children, element.span, element.text)
 
 
@@ -85,7 +65,7 @@ def settings_of(root: Element, notes: Notes) -> Settings:
         weight_rules(whole, notes),
         compiler.get("meshdir", compiler.get("assetdir", "")),
         says(whole, "strippath", notes),
-        _defaults(root, notes),
+        defaults_of(root, notes),
     )
 
 
@@ -102,26 +82,6 @@ def _check(compiler: Mapping[str, str], span: Span, notes: Notes) -> None:
     if compiler.get("coordinate", "local") != "local":
         words = f'`compiler` has coordinate="{shown(compiler["coordinate"])}", allowed is local'
         notes.add(BAD_NUMBER, span, words, "save the file by a newer MuJoCo")
-
-
-def _defaults(root: Element, notes: Notes) -> Defaults:
-    found: dict[str, dict[str, dict[str, str]]] = {MAIN: {}}
-    waiting = [(one, MAIN) for one in reversed(root.all("default"))]
-    while waiting:
-        element, above = waiting.pop()
-        name = element.attributes.get("class", MAIN)
-        if name in found and name != MAIN:
-            notes.add(
-                SAME_ENTITY, element.span, f"two classes have the name `{name}`", "give each its own name"
-            )
-        own = {key: dict(values) for key, values in found[above].items()}
-        for one in element.children:
-            kind = GENERAL if one.name in ACTUATORS else one.name
-            if kind != "default":
-                own[kind] = {**own.get(kind, {}), **one.attributes}
-        found[name] = own
-        waiting += [(one, name) for one in reversed(element.all("default"))]
-    return found
 
 
 def class_of(element: Element, key: str, inherited: str, settings: Settings, notes: Notes) -> str:
