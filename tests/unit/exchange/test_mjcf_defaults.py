@@ -143,7 +143,7 @@ def test_memory_of_classes_does_not_grow_with_the_attributes_that_they_inherit()
 def test_work_on_a_row_does_not_grow_with_the_numbers_that_it_has_too_many() -> None:
     def read_row(count: int) -> None:
         row = " ".join(["1"] * count)
-        found = read_mjcf(SourceText("arm.xml", one(f'<geom type="box" size="{row}"/>')))
+        found = read_mjcf(SourceText("arm.xml", one("", f'<geom type="box" size="{row}"/>')))
         assert next(one.code for one in found.findings if one.is_error) == "X983"
 
     read_row(5)  # what is loaded once
