@@ -1,5 +1,7 @@
 """Texts of robots in MJCF for tests."""
 
+import numpy as np
+
 ARM = """<mujoco model="arm">
   <compiler angle="radian"/>
   <worldbody>
@@ -64,3 +66,36 @@ HANDS = """
 </mujoco>
 """
 """Everything that says an orientation or a weight; the unit and the order of angles are to be put in."""
+
+
+def framed_chain(seed: int) -> str:
+    """Return a chain of four bodies whose joints, weights, bodies and site stand in frames in each other."""
+    rng = np.random.default_rng(seed)
+
+    def place() -> str:
+        turn = rng.choice(["quat", "euler", "axisangle", "zaxis"])
+        numbers = {"quat": 4, "axisangle": 4}.get(turn, 3)
+        return f'pos="{_row(rng, 3)}" {turn}="{_row(rng, numbers)}"'
+
+    def framed(text: str) -> str:
+        for _ in range(rng.integers(0, 3)):
+            text = f"<frame {place()}>{text}</frame>"
+        return text
+
+    def joint(number: int) -> str:
+        kind = rng.choice(["hinge", "slide"])
+        axis = f'axis="{_row(rng, 3)}" pos="{_row(rng, 3)}"'
+        return framed(f'<joint name="j{number}" type="{kind}" {axis} range="-4 4"/>')
+
+    def inertial() -> str:
+        return framed(f'<inertial {place()} mass="{rng.uniform(1.0, 2.0):.3f}" diaginertia="0.2 0.3 0.4"/>')
+
+    inner = framed(f'<site name="tip" {place()}/>')
+    for number in reversed(range(4)):
+        joints = joint(2 * number) + (joint(2 * number + 1) if rng.random() < 0.4 else "")
+        inner = framed(f"<body {place()}>{joints}{inertial()}{inner}</body>")
+    return f'<mujoco><compiler angle="radian"/><worldbody>{inner}</worldbody></mujoco>'
+
+
+def _row(rng: np.random.Generator, count: int) -> str:
+    return " ".join(f"{value:.4f}" for value in rng.uniform(-1.0, 1.0, count))

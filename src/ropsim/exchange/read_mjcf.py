@@ -1,13 +1,12 @@
 """MJCF becomes a robot."""
 
-from collections.abc import Iterable
 from dataclasses import replace
 
 from ropsim.core import SourceText
-from ropsim.exchange.assembly.description import Connection, Description, Motion
+from ropsim.exchange.assembly.description import Description
 from ropsim.exchange.assembly.robot import read_robot
 from ropsim.exchange.files.folder import STANDARD, ReadOptions
-from ropsim.exchange.files.values import finite, numbers_of
+from ropsim.exchange.files.values import numbers_of
 from ropsim.exchange.files.xml_tree import Element, read_xml
 from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING
 from ropsim.exchange.losses.gathered import Topic, shown
@@ -20,25 +19,22 @@ from ropsim.exchange.mjcf.constraints import coupled
 from ropsim.exchange.mjcf.custom import limited
 from ropsim.exchange.mjcf.geoms import assets_of
 from ropsim.exchange.mjcf.includes import with_included
+from ropsim.exchange.mjcf.key_frames import home_of
+from ropsim.exchange.mjcf.keywords import Keyword, switch_of
+from ropsim.exchange.mjcf.replicas import with_replicas
 from ropsim.exchange.mjcf.settings import settings_of
 from ropsim.exchange.mjcf.weight_rules import scaled_to_total
 from ropsim.exchange.xacro.expansion import refuse_arguments
 from ropsim.model import ReadRobot
 
-_SILENT = {
-    "compiler",
-    "option",
-    "default",
-    "asset",
-    "worldbody",
-    "equality",
-    "actuator",
-    "keyframe",
-    "custom",
-}
+_SILENT = frozenset(
+    (
+        *("compiler", "option", "default", "asset", "worldbody", "equality", "actuator", "keyframe"),
+        *("custom", "visual", "statistic", "size", "contact"),
+    )
+)
 _TENDONS = Topic(LOST_MOTION, "tendons", "tendons {} do not go over")
 _OTHERS = Topic(LOST_DESCRIPTION, "elements for other programs", "elements {} do not go over")
-_SILENT |= {"visual", "statistic", "size", "contact"}
 
 
 def read_mjcf(source: SourceText, options: ReadOptions = STANDARD) -> ReadRobot:
@@ -74,7 +70,10 @@ def _description(root: Element, options: ReadOptions, notes: Notes) -> Descripti
         notes.add(ELEMENT_MISSING, root.span, "the file has no `worldbody`", "bodies stand in it")
         return None
     whole = replace(worlds[0], children=tuple(one for world in worlds for one in world.children))
-    reader.read(whole)
+    made = with_replicas(whole, settings, notes)
+    if made is None:
+        return None
+    reader.read(made)
     check_attributes(root, notes)
     connections = driven(coupled(reader.connections, root, notes), root, settings, notes)
     axes = axis_names(connections, root)
@@ -86,30 +85,22 @@ def _description(root: Element, options: ReadOptions, notes: Notes) -> Descripti
         connections,
         root.span,
         gravity=_gravity(root, notes),
-        home=tuple(_home(root, connections)),
+        home=home_of(root, connections, reader.places, reader.coordinates, notes),
         axes=axes,
         frames=reader.frames,
     )
 
 
 def _gravity(root: Element, notes: Notes) -> tuple[float, float, float]:
+    """Return the acceleration of free fall [m/s²]; zero where a flag disables it."""
     gravity = (0.0, 0.0, -9.81)
+    falls = Keyword.ENABLE
     for option in root.all("option"):
         x, y, z = numbers_of(option, "gravity", notes, gravity)
         gravity = (x, y, z)
-    return gravity
-
-
-def _home(root: Element, connections: tuple[Connection, ...]) -> Iterable[tuple[str, float]]:
-    """Yield the coordinates of the first key frame, if complete."""
-    keys = [key for frame in root.all("keyframe") for key in frame.all("key") if "qpos" in key.attributes]
-    moving = [one.name for one in connections if one.motion is not Motion.NONE]
-    if keys:
-        values = [finite(word) for word in keys[0].attributes["qpos"].split()]
-        if len(values) == len(moving):
-            yield from (
-                (name, value) for name, value in zip(moving, values, strict=True) if value is not None
-            )
+        for flag in option.all("flag"):
+            falls = switch_of(flag, "gravity", notes, falls)
+    return gravity if falls is Keyword.ENABLE else (0.0, 0.0, 0.0)
 
 
 def _losses(root: Element, notes: Notes) -> None:

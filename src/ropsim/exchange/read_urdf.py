@@ -12,6 +12,7 @@ from ropsim.exchange.losses.diagnostics import ELEMENT_MISSING
 from ropsim.exchange.losses.gathered import Topic, shown
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
 from ropsim.exchange.losses.notes import Notes
+from ropsim.exchange.urdf.attributes import check_attributes
 from ropsim.exchange.urdf.joints import connection_of, lost_of
 from ropsim.exchange.urdf.links import body_of
 from ropsim.exchange.urdf.shapes import materials_of
@@ -85,6 +86,7 @@ def _hangs_on_world(bodies: Sequence[Body], connections: Sequence[Connection | N
 
 
 def _losses(root: Element, notes: Notes) -> None:
+    check_attributes(root, notes)
     for joint in root.all("joint"):
         lost_of(joint, notes)
     others = [one for one in root.children if one.name not in _READ]

@@ -5,6 +5,7 @@ from ropsim.exchange.files.packages import MOST_DEPTH as MOST_DEPTH
 from ropsim.exchange.files.packages import MOST_FOLDERS as MOST_FOLDERS
 from ropsim.exchange.files.read_mesh import mesh_of as mesh_of
 from ropsim.exchange.files.xml_tree import MOST_ATTRIBUTE as MOST_ATTRIBUTE
+from ropsim.exchange.files.xml_tree import MOST_ATTRIBUTES as MOST_ATTRIBUTES
 from ropsim.exchange.files.xml_tree import MOST_ELEMENTS as MOST_ELEMENTS
 from ropsim.exchange.files.xml_tree import Element as Element
 from ropsim.exchange.files.xml_tree import read_xml as read_xml

@@ -14,16 +14,24 @@ from ropsim.views import Style, diagnostics_text
 from support.fuzzing.mutation import TEXT, mutated, numeral, word
 from support.fuzzing.target import Target
 from support.mjcf_texts import ARM as MJCF_ARM
-from support.mjcf_texts import HANDS
+from support.mjcf_texts import HANDS, framed_chain
 from support.urdf_texts import ARM, LIMITS, MACROS, SPELLINGS
 
 _WRITTEN = [robots.load(name) for name in ("palletizer", "scara", "two_link")]
 _URDF = (ARM.encode(), *(write_urdf(one).text.encode() for one in _WRITTEN))
 _CALL = '<xacro:arg name="bare" default="0"/><xacro:arm prefix="r_"/></robot>'
 _XACRO = (MACROS.replace("</robot>", _CALL).encode(), SPELLINGS.encode())
+_ROWS = MJCF_ARM.replace(
+    "<worldbody>",
+    '<default><default class="f"><joint type="free"/></default></default><worldbody>'
+    '<replicate count="3" offset="0.1 0 0.2" euler="0 10 0" sep="_"><body name="c" childclass="f">'
+    '<joint name="r"/><geom size="0.1"/></body></replicate>',
+).replace("</mujoco>", f'<keyframe><key qpos="{"0.1 " * 23}"/></keyframe></mujoco>')
 _MJCF = (
     MJCF_ARM.encode(),
     HANDS.format(angle="degree", order="XYz").encode(),
+    framed_chain(0).encode(),
+    _ROWS.encode(),
     *(write_mjcf(one).text.encode() for one in _WRITTEN),
 )
 _ENTITIES = b'<!DOCTYPE a [<!ENTITY b "bb"><!ENTITY c "&b;&b;">]>'

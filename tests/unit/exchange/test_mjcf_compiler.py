@@ -115,6 +115,6 @@ def test_a_base_that_moves_about_freely_is_taken_as_fixed_and_said(free: str) ->
 
 
 def test_bodies_that_other_elements_make_are_named() -> None:
-    made = '<replicate count="3" offset="0.1 0 0"><geom size="0.1"/></replicate><inertial'
+    made = '<attach model="hand" prefix="h_"/><inertial'
     findings = {one.code: one for one in read(TEXT.format(compiler="").replace("<inertial", made)).findings}
-    assert findings["X993"].data == {"bodies that are made": ("replicate",)}
+    assert findings["X993"].data == {"bodies that are made": ("attach",)}

@@ -254,6 +254,15 @@ MEANT = {
         """<xacro:if value="${[0]}"><t/></xacro:if><xacro:if value="${None}"><u/></xacro:if>""",
         [("t", {})],
     ),
+    "quotation marks keep a text where it is evaluated once": (
+        """<xacro:property name="late" value="'0010'"/><t p="${late}"/>
+           <xacro:property name="now" value="'0010'" lazy_eval="false"/><t p="${now}"/>
+           <xacro:property name="all" value="'0010'" scope="global"/><t p="${all}"/>
+           <xacro:property name="n" value="5"/><xacro:property name="p" value="'${n}'"/><t p="${p + 1}"/>
+           <xacro:macro name="m" params="p q:='0010'"><t p="${p}" q="${q}"/></xacro:macro><xacro:m p="'07'"/>
+           """,
+        [("t", {"p": value}) for value in ("10", "0010", "0010", "6")] + [("t", {"p": "07", "q": "0010"})],
+    ),
     "files that are not there may be optional": (
         """<xacro:include filename="none.xacro" optional="true"/><t/>""",
         [("t", {})],

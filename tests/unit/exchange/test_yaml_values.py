@@ -80,6 +80,51 @@ urls: {a: http://x/y, b: 'it''s'}
     }
 
 
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("010", 8),
+        ("-0x1F", -31),
+        ("0b101", 5),
+        ("1_000", 1000),
+        ("1:30", 90),
+        ("-190:20:30", -685230),
+        ("20:30.15", 1230.15),
+        ("6.8523015e+5", 685230.15),
+        ("+.5", "+.5"),
+        ("08", "08"),
+        ("0o17", "0o17"),
+        ("1e3", "1e3"),
+        ("1.0e3", "1.0e3"),
+        ("1:60", "1:60"),
+        ("'0010'", "0010"),
+        ("y", "y"),
+        ("TRUE", True),
+        ("Off", False),
+        ("-.INF", "-inf"),
+    ],
+)
+def test_plain_words_are_those_of_yaml_1_1(text: str, value: Value) -> None:
+    """As the types of YAML 1.1 have them (yaml.org/type/int.html, float.html, bool.html) and PyYAML 6.0."""
+    for whole, expected in (
+        (text, value),
+        (f"a: {text}", {"a": value}),
+        (f"- {text}", [value]),
+        (f"[{text}, x]", [value, "x"]),
+        (f"{{a: {text}}}", {"a": value}),
+    ):
+        assert repr(yaml_value(whole)) == repr(expected)  # with its type
+
+
+def test_keys_that_are_numbers_or_truth_values_stay_such() -> None:
+    text = "010: a\n'010': b\n1.5: {on: c, 0x10: d}\n~: [2: e, f:]\n"
+    assert yaml_value(text) == {8: "a", "010": "b", 1.5: {True: "c", 16: "d"}, None: [{2: "e"}, {"f": None}]}
+
+
+def test_lists_stand_in_lists_by_dashes() -> None:
+    assert yaml_value("- - 1\n  - -a\n-\n- -") == [[1, "-a"], None, [None]]
+
+
 def test_numbers_with_units_are_in_si_units() -> None:
     text = "[!degrees 2*90, !radians pi, !meters 2*3, !millimeters 25.0, !foot 1/0.3048, !inches 1/0.0254]"
     assert yaml_value(text) == pytest.approx([pi, pi, 6.0, 0.025, 1.0, 1.0])

@@ -60,7 +60,7 @@ def numbers_of(
     text = element.attributes.get(key)
     if text is None:
         return default
-    words = text.split()
+    words = text.split(maxsplit=len(default))
     values = tuple(value for word in words if (value := finite(word)) is not None)
     if len(values) == len(words) and (least or len(default)) <= len(values) <= len(default):
         return (*values, *default[len(values) :])

@@ -13,9 +13,11 @@ from ropsim.exchange.losses.notes import Notes
 MOST_CHARACTERS = 20_000_000
 """Of one file."""
 MOST_ELEMENTS = 30_000
-"""Characters of one file, including the results of its macros."""
+"""Of one file, including the results of its macros."""
 MOST_DEPTH = 200
 """Elements in each other; a body of MJCF stands in the one that carries it."""
+MOST_ATTRIBUTES = 1_000
+"""Of one element; of MJCF, the largest has some sixty."""
 MOST_ATTRIBUTE = 20_000
 """Characters of an attribute."""
 
@@ -93,6 +95,8 @@ class _Builder:
             self._refuse(f"has more than {MOST_ELEMENTS} elements", "cut it down to the robot")
         if len(self._stack) >= MOST_DEPTH:
             self._refuse(f"has elements more than {MOST_DEPTH} deep", "allowed are fewer in each other")
+        if len(attributes) > MOST_ATTRIBUTES:
+            self._refuse(f"has an element with more than {MOST_ATTRIBUTES} attributes", "cut it down")
         long = next((key for key, value in attributes.items() if len(value) > MOST_ATTRIBUTE), None)
         if long is not None:
             self._refuse(

@@ -160,8 +160,10 @@ MESH_MISSING = define(
     "a file that a robot file names is not there, or not inside of the given folders",
     """
 Meshes and included files are named as `package://name/path`, `$(find name)/path` or by a path beside the
-robot file. The folder of a package has to be given, and nothing outside of the folders that are given is
-looked at. A shape whose mesh is not there is left out; an included file that is not there is an error.
+robot file. A package is a folder with a `package.xml`; it is looked for in the folders above the robot file
+and below these, inside of the project. One that stands elsewhere is given: `--package NAME=DIR`, in a cell
+file `package`. Nothing else is looked at. A shape whose mesh is not there is left out; an included file that
+is not there is an error.
 """,
 )
 

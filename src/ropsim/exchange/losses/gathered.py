@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping
 
 from ropsim.core import Diagnostic, Kind, Span, frozen_dataclass
 
+_LONGEST = 400  # characters of a text that are looked at, to show sixty of them
 NAMED = 6
 """Number of entities named in a message."""
 _FEW = 3  # topics of which two names are in the message, one otherwise
@@ -62,7 +63,7 @@ class Gathered:
 
 def shown(text: str) -> str:
     """Return a text of the file in the form quoted in a message: on one line, and not too long."""
-    line = " ".join(text.split())
+    line = " ".join(text[:_LONGEST].split())
     return line if len(line) <= 60 else line[:57] + "..."
 
 

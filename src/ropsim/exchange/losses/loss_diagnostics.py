@@ -27,7 +27,8 @@ LOST_DRIVE = define(
 URDF and MJCF know a joint with viscous and dry friction and a greatest effort; MJCF knows the inertia of
 a rotor at the joint too. Amplifiers, motor constants, gears that twist, and friction that differs
 between the two directions have no place there; soft limits and calibrations of such files have no place in
-the model. Geometry and rigid bodies are not touched by that.
+the model, nor have attributes of `limit` and `dynamics` that the format does not define. Geometry and rigid
+bodies are not touched by that.
 """,
 )
 

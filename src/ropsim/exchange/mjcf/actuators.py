@@ -9,7 +9,9 @@ from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_DRIVE
 from ropsim.exchange.losses.notes import Notes
-from ropsim.exchange.mjcf.settings import MAIN, Settings
+from ropsim.exchange.mjcf.defaults import MAIN
+from ropsim.exchange.mjcf.joints import range_of
+from ropsim.exchange.mjcf.settings import Settings
 
 _AS_MOTORS = Topic(LOST_DRIVE, "control of actuators", "actuators {} go over as sources of effort")
 
@@ -17,39 +19,47 @@ _AS_MOTORS = Topic(LOST_DRIVE, "control of actuators", "actuators {} go over as 
 def axis_names(connections: Iterable[Connection], root: Element) -> tuple[str, ...]:
     """Return the joints that are driven: joints with actuators in the order of these, then the others."""
     free = [one.name for one in connections if one.motion is not Motion.NONE and one.following is None]
-    parts = [one for actuator in root.all("actuator") for one in actuator.children]
-    named = [one.attributes.get("joint", "").strip() for one in parts]
+    named = [_joint_of(one) for one in _actuators(root)]
     return tuple(dict.fromkeys([*(name for name in named if name in set(free)), *free]))
 
 
 def driven(
     connections: Iterable[Connection], root: Element, settings: Settings, notes: Notes
 ) -> tuple[Connection, ...]:
-    """Return connections with the greatest effort of their actuators, where joints say none themselves."""
+    """Return connections whose efforts are not above those of their actuators."""
     efforts: dict[str, float] = {}
     others: list[Element] = []
-    for one in (part for actuator in root.all("actuator") for part in actuator.children):
+    for one in _actuators(root):
         if one.name != "motor":
             others.append(one)
-        name = one.attributes.get("joint", one.attributes.get("jointinparent", "")).strip()
-        most = _most(settings.whole(one, MAIN), notes)
+        most = _most(settings.whole(one, MAIN), settings, notes)
         if most:
-            efforts.setdefault(name, most)
+            efforts.setdefault(_joint_of(one), most)
     if others:
         notes.gather(_AS_MOTORS, others[0].span, (one.name for one in others))
     return tuple(
-        replace(one, limits=replace(one.limits, effort=one.limits.effort or efforts.get(one.name)))
+        replace(one, limits=replace(one.limits, effort=_least(one.limits.effort, efforts.get(one.name))))
         for one in connections
     )
 
 
-def _most(actuator: Element, notes: Notes) -> float | None:
+def _least(*efforts: float | None) -> float | None:
+    return min((one for one in efforts if one), default=None)
+
+
+def _actuators(root: Element) -> list[Element]:
+    return [part for actuator in root.all("actuator") for part in actuator.children]
+
+
+def _joint_of(actuator: Element) -> str:
+    attributes = actuator.attributes
+    return attributes.get("joint", attributes.get("jointinparent", "")).strip()
+
+
+def _most(actuator: Element, settings: Settings, notes: Notes) -> float | None:
     """Return the greatest effort at the joint [N·m | N]; nothing where the actuator does not say it."""
     gear = abs(numbers_of(actuator, "gear", notes, (1.0, 0.0, 0.0, 0.0, 0.0, 0.0), least=1)[0])
     keys = ["forcerange", "ctrlrange"] if actuator.name == "motor" else ["forcerange"]
-    bounds = [
-        max(map(abs, numbers_of(actuator, key, notes, (0.0, 0.0))))
-        for key in keys
-        if key in actuator.attributes
-    ]
+    ranges = [range_of(actuator, key, settings, notes) for key in keys]
+    bounds = [max(map(abs, one)) for one in ranges if one]
     return gear * min(bounds) if bounds and min(bounds) > 0.0 else None

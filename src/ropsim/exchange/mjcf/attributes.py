@@ -1,12 +1,26 @@
-"""Attributes of MJCF that are read or change neither motion nor weight; all others are reported by name."""
+"""Attributes of MJCF that need no report of their own; all others are reported by name.
+
+Some are read, some change neither motion nor weight, and those for the control of actuators are reported with
+the actuators. Looked at are the settings, defaults, assets, bodies and actuators of a file.
+"""
 
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from ropsim.exchange.files.unread import UNREAD, UNREAD_MOTION, note_unread, unread
 from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.gathered import Topic
-from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE, LOST_MOTION
+from ropsim.exchange.losses.loss_diagnostics import LOST_DRIVE
 from ropsim.exchange.losses.notes import Notes
+
+GENERAL = "general"
+ACTUATORS = frozenset(
+    (
+        *(GENERAL, "motor", "position", "velocity", "intvelocity", "orientation", "pid", "damper"),
+        *("cylinder", "muscle", "adhesion", "dcmotor", "plugin"),
+    )
+)
+"""Actuators; they are ways to write `general`, whose defaults they have and set (XML reference)."""
 
 
 def _names(text: str) -> frozenset[str]:
@@ -26,6 +40,19 @@ _JOINT = """
 type pos axis range limited ref damping frictionloss armature stiffness springref actuatorfrcrange
 actuatorfrclimited margin solreflimit solimplimit solreffriction solimpfriction
 """
+_ACTUATOR = _names("""
+joint jointinparent tendon site refsite slidersite cranksite cranklength body gear ctrllimited ctrlrange
+forcelimited forcerange lengthrange delay interp nsample
+""")
+_CONTROL = _names("""
+actdim actlimited actrange actearly dyntype dynprm gaintype gainprm biastype biasprm inheritrange input kp kv
+ki dampratio timeconst imax posrange velrange ffrange slewmax area diameter bias gain force fpmax fvmax lmax
+lmin range scale tausmooth vmax cogging controller inductance lugre motorconst nominal resistance saturation
+thermal plugin instance
+""")
+_MATERIAL = """
+rgba texture texrepeat texuniform emission specular shininess reflectance metallic roughness
+"""
 KNOWN: Mapping[str, frozenset[str]] = MappingProxyType(
     {
         "compiler": _names(_COMPILER),
@@ -40,21 +67,20 @@ KNOWN: Mapping[str, frozenset[str]] = MappingProxyType(
         | _LOOK
         | _names("type size fromto mesh mass density hfield fitscale fluidshape fluidcoef"),
         "site": _PLACE | _NAME | _LOOK | _names("type size fromto"),
+        "motor": _NAME | _ACTUATOR,
+        **{kind: _NAME | _ACTUATOR | _CONTROL for kind in sorted(ACTUATORS - {"motor"})},
+        "material": _NAME
+        | _names(
+            "rgba texture texrepeat texuniform emission specular shininess reflectance metallic roughness"
+        ),
         "mesh": _NAME | _names("file scale content_type smoothnormal maxhullvert texcoord material inertia"),
     }
 )
-"""Attributes by element; elements that stand elsewhere are not checked."""
-_CHECKED = ("compiler", "default", "asset", "worldbody")
+"""Attributes by element; other elements are not checked."""
+_CHECKED = ("compiler", "default", "asset", "worldbody", "actuator")
 _MOVING = _names(
     "joint/springdamper joint/actuatorgravcomp body/mocap geom/shellinertia mesh/refpos mesh/refquat"
-)
-_OTHERS = Topic(LOST_DESCRIPTION, "attributes", "attributes {} are not read")
-_MOTION = Topic(
-    LOST_MOTION,
-    "attributes",
-    "attributes {} are not read, but change motion or weight",
-    "describe the robot without them",
-)
+) | {f"{kind}/{key}" for kind in ACTUATORS for key in ("armature", "damping")}
 _CARRIED = Topic(
     LOST_DRIVE,
     "weight compensation",
@@ -73,7 +99,6 @@ def check_attributes(root: Element, notes: Notes) -> None:
         known = KNOWN.get(one.name)
         if known is None:
             continue
-        for key in one.attributes:
-            if key not in known:
-                name = f"{one.name}/{key}"
-                notes.gather(_MOTION if name in _MOVING else _OTHERS, one.span, [name])
+        for key in unread(one, known):
+            moving = f"{one.name}/{key}" in _MOVING
+            note_unread(one, key, UNREAD_MOTION if moving else UNREAD, notes)

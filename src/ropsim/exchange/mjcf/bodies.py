@@ -13,10 +13,13 @@ from ropsim.exchange.losses.diagnostics import BAD_NUMBER, DOUBTFUL_BODY, ELEMEN
 from ropsim.exchange.losses.gathered import Topic
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_MOTION
 from ropsim.exchange.losses.notes import Notes
+from ropsim.exchange.mjcf.defaults import MAIN
+from ropsim.exchange.mjcf.free_bodies import coordinates_below, coordinates_of, free_base, frees, is_free
 from ropsim.exchange.mjcf.geoms import Assets, Geometry, drawn, geometry_of
-from ropsim.exchange.mjcf.joints import anchor_of, connection_of, free_base, frees, is_free
+from ropsim.exchange.mjcf.joints import PlacedJoint, connection_of
+from ropsim.exchange.mjcf.keywords import Keyword
 from ropsim.exchange.mjcf.poses import pose_of
-from ropsim.exchange.mjcf.settings import MAIN, Settings, class_of
+from ropsim.exchange.mjcf.settings import Settings, class_of
 from ropsim.exchange.mjcf.weight_rules import corrected
 from ropsim.model import Payload, combine, moved
 from ropsim.spatial import Pose
@@ -43,7 +46,7 @@ _MADE = Topic(
     "elements {} make bodies or take them from other files, and are left out",
     "save the model by MuJoCo, which writes the bodies themselves",
 )
-_MAKERS = ("replicate", "attach", "composite", "flexcomp")
+_MAKERS = ("attach", "composite", "flexcomp")
 _MESH_WEIGHT = Topic(
     DOUBTFUL_BODY,
     "weights of meshes",
@@ -51,15 +54,24 @@ _MESH_WEIGHT = Topic(
     "write an inertial with its mass into them",
 )
 
+Part = tuple[Element, Pose, str]
+"""An element of a body with its frame in that and its class."""
+
 
 class BodyReader:
-    """Bodies, connections and frames of one file, in order of the file."""
+    """Bodies, connections and frames of one file, in order of the file.
+
+    `places` has the place of each connection in the coordinates of MuJoCo (`qpos`), `coordinates` is their
+    number; those of free bodies count.
+    """
 
     def __init__(self, settings: Settings, assets: Assets, folder: RobotFolder, notes: Notes) -> None:
         self.bodies: list[Body] = []
         self.connections: list[Connection] = []
         self.frames: dict[str, tuple[str, Pose]] = {}
         self.free: list[str] = []
+        self.places: dict[str, int] = {}
+        self.coordinates = 0
         self._settings, self._assets, self._folder, self._notes = settings, assets, folder, notes
         self._others: dict[str, Element] = {}
         self._count = 0
@@ -67,14 +79,14 @@ class BodyReader:
 
     def read(self, world: Element) -> None:
         """Read all bodies of a world, each with its parent before it."""
-        self._base = free_base(world)
+        self._base = free_base(world, MAIN, self._settings)
         if self._base is not None:
             self._notes.gather(_FIXED_BASE, self._base.span, [self._base.attributes.get("name", "")])
         waiting: list[tuple[Element, str, Pose, str]] = [(world, "", Pose(), MAIN)]
         while waiting:
             element, parent, X, inherited = waiting.pop()
-            if parent and is_free(element) and element is not self._base:
-                self._leave(element)
+            if parent and element is not self._base and is_free(element, inherited, self._settings):
+                self._leave(element, inherited)
                 continue
             parts, X_BO = self._body(element, parent, X, inherited)
             name = self.bodies[-1].name
@@ -89,12 +101,11 @@ class BodyReader:
         if self.free:
             self._notes.gather(_FREE, world.span, self.free)
 
-    def _leave(self, element: Element) -> None:
+    def _leave(self, element: Element, inherited: str) -> None:
         self.free.append(element.attributes.get("name", "without a name"))
+        self.coordinates += coordinates_below(element, inherited, self._settings)
 
-    def _body(
-        self, element: Element, parent: str, X: Pose, inherited: str
-    ) -> tuple[list[tuple[Element, Pose, str]], Pose]:
+    def _body(self, element: Element, parent: str, X: Pose, inherited: str) -> tuple[list[Part], Pose]:
         """Read a body; return its elements with their frames and classes, and its own frame in its body."""
         settings, notes = self._settings, self._notes
         self._count += 1
@@ -111,7 +122,7 @@ class BodyReader:
             elif one.name == "site" and "name" in one.attributes:
                 site = self._whole(one, inside)
                 self.frames[one.attributes["name"]] = name, X_BO @ at @ pose_of(site, settings, notes)
-        weight = self._weight(element, name, geometry, X_BO)
+        weight = self._weight(element, name, parts, geometry, X_BO)
         self.bodies.append(Body(name, weight, drawn(geometry), element.span))
         return parts, X_BO
 
@@ -120,9 +131,9 @@ class BodyReader:
         name = class_of(element, "class", inherited, settings, self._notes)
         return settings.whole(element, name)
 
-    def _parts(self, element: Element, inherited: str) -> list[tuple[Element, Pose, str]]:
+    def _parts(self, element: Element, inherited: str) -> list[Part]:
         """Return the elements of a body with their frames and classes, including `frame` contents."""
-        found: list[tuple[Element, Pose, str]] = []
+        found: list[Part] = []
         waiting = [(one, Pose(), inherited) for one in reversed(element.children)]
         while waiting:
             one, at, own = waiting.pop()
@@ -138,35 +149,43 @@ class BodyReader:
                 self._others.setdefault(one.name, one)
         return found
 
-    def _joints(self, parts: list[tuple[Element, Pose, str]], name: str, parent: str, X: Pose) -> Pose:
+    def _joints(self, parts: list[Part], name: str, parent: str, X: Pose) -> Pose:
         """Connect a body by its joints, in their order; return its own frame in that of its last joint."""
-        joints = [self._whole(one, own) for one, _, own in parts if one.name == "joint" and not frees(one)]
+        joints: list[tuple[PlacedJoint, int]] = []
+        for one, at, own in parts:
+            if one.name == "joint" and not frees(one, own, self._settings):
+                joints.append((PlacedJoint(self._whole(one, own), at), self.coordinates))
+            self.coordinates += coordinates_of(one, own, self._settings)
         if not joints:
             span = parts[0][0].span if parts else self.bodies[-1].span
             self.connections.append(Connection(f"{name}_mount", Motion.NONE, parent, name, X, span))
             return Pose()
         carrier = parent
-        for place, joint in enumerate(joints, start=1):
-            called = joint.attributes.get("name", "").strip() or (
+        for place, (joint, coordinate) in enumerate(joints, start=1):
+            called = joint.element.attributes.get("name", "").strip() or (
                 f"{name}_joint" if len(joints) == 1 else f"{name}_joint_{place}"
             )
             child = name if place == len(joints) else link_name(called)
             ends = (carrier, child)
             self.connections.append(connection_of(joint, called, ends, X, self._settings, self._notes))
+            self.places[called] = coordinate
             if child != name:
-                self.bodies.append(Body(child, Payload(), (), joint.span))
-            carrier, X = child, Pose(-anchor_of(joint, self._notes))
+                self.bodies.append(Body(child, Payload(), (), joint.element.span))
+            carrier, X = child, joint.anchor(self._notes).inverse()
         return X
 
-    def _weight(self, element: Element, name: str, geometry: list[Geometry], X: Pose) -> Payload:
+    def _weight(
+        self, element: Element, name: str, parts: list[Part], geometry: list[Geometry], X: Pose
+    ) -> Payload:
         """Return the weight of a body: its own, else that of its geometry, as the settings say."""
-        inertial, rules = element.first("inertial"), self._settings.weights
+        rules = self._settings.weights
+        inertial, at = next(((one, at) for one, at, _ in parts if one.name == "inertial"), (None, X))
         if element.name == "worldbody":
             return Payload()
         heavy = [one for one in geometry if rules.has_mass(one.group)]
-        if inertial is not None and (rules.from_geometry != "true" or not heavy):
-            return corrected(moved(inertial_of(inertial, self._settings, self._notes), X), rules)
-        if rules.from_geometry == "false":
+        if inertial is not None and (rules.from_geometry is not Keyword.TRUE or not heavy):
+            return corrected(moved(inertial_of(inertial, self._settings, self._notes), X @ at), rules)
+        if rules.from_geometry is Keyword.FALSE:
             return corrected(Payload(), rules)
         if any(one.weight is None for one in heavy):
             self._notes.gather(_MESH_WEIGHT, element.span, [name])

@@ -26,6 +26,11 @@ _UNDRAWN = Topic(
     "geometry of types {} is not drawn",
     "drawn are boxes, spheres, cylinders, capsules and meshes",
 )
+_FITTED = Topic(
+    LOST_DESCRIPTION,
+    "geometry fitted to meshes",
+    "geometry of types {} is fitted to meshes by MuJoCo: here the meshes themselves are drawn",
+)
 _SMALLEST = 1e-9  # m, of a measure
 _COLLIDING = 3  # from this group on geometry is not drawn where there is other, as models of MuJoCo do it
 
@@ -89,10 +94,13 @@ def geometry_of(
         folder: where meshes are.
         notes: for errors and shapes that are not drawn.
     """
-    kind = geom.attributes.get("type", "mesh" if "mesh" in geom.attributes else "sphere")
+    kind = geom.attributes.get("type", "sphere")
     X = pose_of(geom, settings, notes)
     group = number_of(geom, "group", notes)
-    if kind == "mesh":
+    fitted = kind in _COUNTS and bool(geom.attributes.get("mesh", ""))
+    if fitted:
+        notes.gather(_FITTED, geom.span, [kind])
+    if fitted or kind == "mesh":
         return Geometry(_mesh_shapes(geom, X, settings, assets, folder, notes), None, group)
     if kind not in _COUNTS:
         if kind != "plane":
@@ -123,7 +131,7 @@ def _sized(geom: Element, kind: str, X: Pose, notes: Notes) -> tuple[tuple[float
             X = Pose((values[:3] + values[3:]) / 2.0, np.array(from_z((x, y, z))))
         radius = numbers_of(geom, "size", notes, (0.0, 0.0, 0.0), least=1)[0]
         return ((radius, length / 2.0) if count == 2 else (radius, radius, length / 2.0)), X
-    return numbers_of(geom, "size", notes, (0.0, 0.0, 0.0), least=count)[:count], X
+    return numbers_of(geom, "size", notes, (0.0, 0.0, 0.0), least=1)[:count], X
 
 
 def _solids(kind: str, size: tuple[float, ...]) -> list[tuple[Solid, Pose]]:
@@ -151,10 +159,10 @@ def _mesh_shapes(
         return ()
     scale = numbers_of(asset, "scale", notes, (1.0, 1.0, 1.0))
     file = asset.attributes.get("file", "")
-    if settings.strip == "true":
+    if settings.strips_paths:
         file = file.replace("\\", "/").rpartition("/")[2]
-    if settings.meshes and "://" not in file:
-        file = f"{settings.meshes.rstrip('/')}/{file}"
+    if settings.mesh_folder and "://" not in file:
+        file = f"{settings.mesh_folder.rstrip('/')}/{file}"
     mesh: Mesh | None = mesh_of(file, scale, folder, asset.span, notes)
     colour, opacity = _colour(geom, assets, notes)
     return (Shape(mesh, X, colour, opacity),) if mesh else ()

@@ -1,11 +1,10 @@
 """Joints of MJCF: hinges and slides about points of a body."""
 
-from collections.abc import Iterator
 from dataclasses import replace
-from math import inf
 
 import numpy as np
 
+from ropsim.core import frozen_dataclass
 from ropsim.exchange.assembly.description import Connection, Limits, Motion, Resistance
 from ropsim.exchange.assembly.joint_limits import UNSAID, WITHOUT_END
 from ropsim.exchange.files.values import direction_of, number_of, numbers_of
@@ -14,6 +13,7 @@ from ropsim.exchange.losses.diagnostics import BAD_NUMBER, JOINT_IMPOSSIBLE
 from ropsim.exchange.losses.gathered import Topic, shown
 from ropsim.exchange.losses.loss_diagnostics import LOST_MOTION
 from ropsim.exchange.losses.notes import Notes
+from ropsim.exchange.mjcf.keywords import Keyword, keyword_of
 from ropsim.exchange.mjcf.settings import Settings
 from ropsim.spatial import Pose
 
@@ -25,106 +25,88 @@ _DAMPING = Topic(
 _MOTIONS = {"hinge": Motion.TURN, "slide": Motion.SLIDE}
 
 
-def is_free(body: Element) -> bool:
-    """Return whether a body moves about freely."""
-    return any(frees(one) for one in body.children)
+@frozen_dataclass
+class PlacedJoint:
+    """A joint of a body.
 
+    Attributes:
+        element: of it, with the attributes of its class.
+        frame: in which it says point and axis, in the frame of its body.
+    """
 
-def frees(joint: Element) -> bool:
-    """Return whether an element lets its body move about freely."""
-    return joint.name == "freejoint" or (joint.name == "joint" and joint.attributes.get("type") == "free")
+    element: Element
+    frame: Pose
 
+    def anchor(self, notes: Notes) -> Pose:
+        """Return the point about which the joint turns as a frame of the body, with the axes of that."""
+        point = numbers_of(self.element, "pos", notes, (0.0, 0.0, 0.0))
+        return Pose((self.frame @ Pose(np.array(point))).position)
 
-def free_base(world: Element) -> Element | None:
-    """Return the free body with the most joints, which is the base if no joint stands on a fixed one."""
-    counts: list[tuple[int, Element]] = []
-    for body in _bodies(world):
-        joints = sum(not frees(one) for one in _descendants(body) if one.name == "joint")
-        if joints and not is_free(body):
-            return None
-        counts.append((joints, body))
-    most = max((count for count, _ in counts), default=0)
-    return next((body for count, body in counts if count == most), None) if most else None
-
-
-def _bodies(element: Element) -> Iterator[Element]:
-    """Yield the bodies of a world, including those in frames."""
-    waiting = list(reversed(element.children))
-    while waiting:
-        one = waiting.pop()
-        if one.name == "body":
-            yield one
-        elif one.name == "frame":
-            waiting += reversed(one.children)
-
-
-def _descendants(element: Element) -> Iterator[Element]:
-    waiting = [element]
-    while waiting:
-        one = waiting.pop()
-        yield one
-        waiting += one.children
+    def axis(self, notes: Notes) -> tuple[float, float, float]:
+        """Return the direction of the joint in the frame of its body."""
+        own = direction_of(self.element, "axis", notes, (0.0, 0.0, 1.0))
+        if self.frame.orientation[0] == 1.0:
+            return own
+        x, y, z = (self.frame.rotation() @ np.array(own)).tolist()
+        return (x, y, z)
 
 
 def connection_of(
-    joint: Element, name: str, ends: tuple[str, str], X: Pose, settings: Settings, notes: Notes
+    placed: PlacedJoint, name: str, ends: tuple[str, str], X: Pose, settings: Settings, notes: Notes
 ) -> Connection:
     """Return the connection of a joint; its child frame stands in the anchor of the joint.
 
     Args:
-        joint: with the attributes of its class.
+        placed: the joint.
         name: of the joint.
         ends: names of the bodies that it joins.
         X: frame of the moved body in that of the body that carries it, where the joint has not moved it.
         settings: of the file.
         notes: for errors.
     """
+    joint = placed.element
     kind = joint.attributes.get("type", "hinge")
     if kind not in _MOTIONS:
         words = f"joint `{name}` is of type `{shown(kind)}`, which no single drive moves"
         notes.add(JOINT_IMPOSSIBLE, joint.span, words, f"allowed are {', '.join(_MOTIONS)}")
-    made = Connection(
-        name, _MOTIONS.get(kind, Motion.TURN), *ends, X @ Pose(anchor_of(joint, notes)), joint.span
-    )
-    unit = settings.angle if made.motion is Motion.TURN else 1.0
-    if number_of(joint, "stiffness", notes):
+    made = Connection(name, _MOTIONS.get(kind, Motion.TURN), *ends, X @ placed.anchor(notes), joint.span)
+    unit = settings.angle_unit if made.motion is Motion.TURN else 1.0
+    if any(numbers_of(joint, "stiffness", notes, (0.0, 0.0, 0.0), least=1)):
         notes.gather(_SPRING, joint.span, [name])
     return replace(
         made,
-        axis=direction_of(joint, "axis", notes, (0.0, 0.0, 1.0)),
+        axis=placed.axis(notes),
         zero=number_of(joint, "ref", notes) * unit,
-        limits=_limits(joint, name, made.motion, unit, settings, notes),
+        limits=_limits(joint, made.motion, unit, settings, notes),
         resistance=_resistance(joint, name, notes),
     )
 
 
-def anchor_of(joint: Element, notes: Notes) -> np.ndarray:
-    """Return the point about which a joint turns, in the frame of its body [m], shape (3,)."""
-    return np.array(numbers_of(joint, "pos", notes, (0.0, 0.0, 0.0)))
-
-
-def _limits(
-    joint: Element, name: str, motion: Motion, unit: float, settings: Settings, notes: Notes
-) -> Limits:
-    effort = _most(joint, "actuatorfrcrange", notes)
-    said = joint.attributes.get("limited", "auto")
-    limited = said == "true" or (said == "auto" and settings.limits == "true" and "range" in joint.attributes)
-    if not limited:
+def _limits(joint: Element, motion: Motion, unit: float, settings: Settings, notes: Notes) -> Limits:
+    efforts = range_of(joint, "actuatorfrcrange", settings, notes)
+    effort = max(map(abs, efforts)) if efforts else None
+    ends = range_of(joint, "range", settings, notes)
+    if ends is None:
         return replace(UNSAID if motion is Motion.SLIDE else _FREE, effort=effort)
-    lower, upper = (unit * value for value in numbers_of(joint, "range", notes, (0.0, 0.0)))
-    if lower > upper:
-        words = f"joint `{name}` has the lower limit {lower:g} and the upper limit {upper:g} [rad, m]"
-        notes.add(BAD_NUMBER, joint.span, words, "the lower limit must be the smaller number")
-        return _FREE
+    lower, upper = (unit * value for value in ends)
     return Limits(lower, upper, effort=effort)
 
 
-def _most(element: Element, key: str, notes: Notes) -> float | None:
-    if key not in element.attributes:
-        return None
+def range_of(element: Element, key: str, settings: Settings, notes: Notes) -> tuple[float, float] | None:
+    """Return a range of a joint or actuator in the unit of the file; None where none is in force.
+
+    A range is in force where its switch says so (`limited`, `forcelimited` and so on), and with `auto` if
+    the file has `autolimits` and the range is not empty.
+    """
+    said = keyword_of(element, key.replace("range", "limited"), notes)
     lower, upper = numbers_of(element, key, notes, (0.0, 0.0))
-    most = max(abs(lower), abs(upper))
-    return most if 0.0 < most < inf else None
+    if said is Keyword.FALSE or (said is Keyword.AUTO and not (settings.autolimits and lower != upper)):
+        return None
+    if lower > upper:
+        words = f'`{element.name}` has {key}="{lower:g} {upper:g}", which ends below its start'
+        notes.add(BAD_NUMBER, element.span, words, "the lower limit must be the smaller number")
+        return None
+    return lower, upper
 
 
 def _resistance(joint: Element, name: str, notes: Notes) -> Resistance:

@@ -31,12 +31,12 @@ def pose_of(element: Element, settings: Settings, notes: Notes) -> Pose:
 def _turn(element: Element, settings: Settings, notes: Notes) -> quaternion.Quaternion:
     if "axisangle" in element.attributes:
         x, y, z, angle = numbers_of(element, "axisangle", notes, (0.0, 0.0, 1.0, 0.0))
-        return about((x, y, z), angle * settings.angle)
+        return about((x, y, z), angle * settings.angle_unit)
     if "euler" in element.attributes:
         turn = quaternion.IDENTITY
         angles = numbers_of(element, "euler", notes, _ZERO)
-        for letter, angle in zip(settings.order, angles, strict=False):
-            one = about(_AXES.get(letter.lower(), _AXES["x"]), angle * settings.angle)
+        for letter, angle in zip(settings.euler_order, angles, strict=False):
+            one = about(_AXES.get(letter.lower(), _AXES["x"]), angle * settings.angle_unit)
             turn = quaternion.multiply(turn, one) if letter.islower() else quaternion.multiply(one, turn)
         return turn
     if "zaxis" in element.attributes:

@@ -1,4 +1,4 @@
-"""Settings of an MJCF file: units of angles, order of Euler angles, and defaults by class."""
+"""Settings of an MJCF file: units of angles, order of Euler angles, folders, and defaults by class."""
 
 from collections.abc import Mapping
 from math import radians
@@ -6,19 +6,12 @@ from types import MappingProxyType
 
 from ropsim.core import Span, frozen_dataclass
 from ropsim.exchange.files.xml_tree import Element
-from ropsim.exchange.losses.diagnostics import BAD_NUMBER, SAME_ENTITY, UNKNOWN_ENTITY
+from ropsim.exchange.losses.diagnostics import BAD_NUMBER, UNKNOWN_ENTITY
 from ropsim.exchange.losses.gathered import shown
 from ropsim.exchange.losses.notes import Notes
+from ropsim.exchange.mjcf.defaults import MAIN, Defaults, defaults_of, kind_of, merged
+from ropsim.exchange.mjcf.keywords import Keyword, says
 from ropsim.exchange.mjcf.weight_rules import WeightRules, weight_rules
-
-MAIN = "main"
-"""The default class."""
-_TURNS = ("quat", "axisangle", "xyaxes", "zaxis", "euler")
-"""Attributes that say an orientation, each another way: one's own replaces that of the defaults."""
-_OTHER_WAYS = (_TURNS, ("diaginertia", "fullinertia"), ("mass", "density"))
-
-Defaults = Mapping[str, Mapping[str, Mapping[str, str]]]
-"""Attributes of each element by the name of the element, by class."""
 
 
 @frozen_dataclass
@@ -26,21 +19,21 @@ class Settings:
     """Settings of a whole file.
 
     Attributes:
-        angle: radians in one unit of angles of the file.
-        order: of Euler angles, such as `xyz`; capitals turn about fixed axes.
-        limits: whether a range alone limits a joint (`autolimits`).
+        angle_unit: radians in one unit of angles of the file.
+        euler_order: of Euler angles, such as `xyz`; capitals turn about fixed axes.
+        autolimits: whether a range alone is in force, without an attribute that says so.
         weights: rules for the weights of bodies.
-        meshes: folder of meshes relative to the file.
-        strip: `true` where names of files count without their folders (`strippath`).
-        defaults: attributes by class and element.
+        mesh_folder: folder of meshes relative to the file.
+        strips_paths: whether names of files count without their folders (`strippath`).
+        defaults: classes by name.
     """
 
-    angle: float
-    order: str
-    limits: str
+    angle_unit: float
+    euler_order: str
+    autolimits: bool
     weights: WeightRules
-    meshes: str
-    strip: str
+    mesh_folder: str
+    strips_paths: bool
     defaults: Defaults
 
     def whole(self, element: Element, inherited: str) -> Element:
@@ -51,11 +44,8 @@ class Settings:
             inherited: class of the bodies around it, where it says none.
         """
         name = element.attributes.get("class", inherited)
-        added = dict(self.defaults.get(name, self.defaults[MAIN]).get(element.name, {}))
-        for ways in _OTHER_WAYS:
-            if any(key in element.attributes for key in ways):
-                added = {key: value for key, value in added.items() if key not in ways}
-        attributes = MappingProxyType({**added, **element.attributes})
+        added = self.defaults.get(name, self.defaults[MAIN]).of(kind_of(element))
+        attributes = MappingProxyType(merged(added, element.attributes))
         return Element(element.name, attributes, element.children, element.span, element.text)
 
 
@@ -67,14 +57,15 @@ def settings_of(root: Element, notes: Notes) -> Settings:
         compiler |= one.attributes
         span = one.span
     _check(compiler, span, notes)
+    whole = Element("compiler", MappingProxyType(compiler), (), span)
     return Settings(
         1.0 if compiler.get("angle", "degree") == "radian" else radians(1.0),
         compiler.get("eulerseq", "xyz"),
-        compiler.get("autolimits", "true"),
-        weight_rules(Element("compiler", MappingProxyType(compiler), (), span), notes),
+        says(whole, "autolimits", notes, Keyword.TRUE),
+        weight_rules(whole, notes),
         compiler.get("meshdir", compiler.get("assetdir", "")),
-        compiler.get("strippath", "false"),
-        _defaults(root, notes),
+        says(whole, "strippath", notes),
+        defaults_of(root, notes),
     )
 
 
@@ -84,28 +75,13 @@ def _check(compiler: Mapping[str, str], span: Span, notes: Notes) -> None:
     if len(order) != 3 or set(order.lower()) - set("xyz"):
         words = f'`compiler` has eulerseq="{shown(order)}", allowed are three of x, y, z, X, Y, Z'
         notes.add(BAD_NUMBER, span, words, "write such as xyz")
+    angle = compiler.get("angle", "degree")
+    if angle not in ("degree", "radian"):
+        words = f'`compiler` has angle="{shown(angle)}", allowed are degree and radian'
+        notes.add(BAD_NUMBER, span, words, "write one of these words")
     if compiler.get("coordinate", "local") != "local":
         words = f'`compiler` has coordinate="{shown(compiler["coordinate"])}", allowed is local'
         notes.add(BAD_NUMBER, span, words, "save the file by a newer MuJoCo")
-
-
-def _defaults(root: Element, notes: Notes) -> Defaults:
-    found: dict[str, dict[str, dict[str, str]]] = {MAIN: {}}
-    waiting = [(one, MAIN) for one in reversed(root.all("default"))]
-    while waiting:
-        element, above = waiting.pop()
-        name = element.attributes.get("class", MAIN)
-        if name in found and name != MAIN:
-            notes.add(
-                SAME_ENTITY, element.span, f"two classes have the name `{name}`", "give each its own name"
-            )
-        own = {key: dict(values) for key, values in found[above].items()}
-        for one in element.children:
-            if one.name != "default":
-                own[one.name] = {**own.get(one.name, {}), **one.attributes}
-        found[name] = own
-        waiting += [(one, name) for one in reversed(element.all("default"))]
-    return found
 
 
 def class_of(element: Element, key: str, inherited: str, settings: Settings, notes: Notes) -> str:

@@ -10,6 +10,7 @@ from ropsim.exchange.assembly.description import Body
 from ropsim.exchange.files.values import number_of, numbers_of
 from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.notes import Notes
+from ropsim.exchange.mjcf.keywords import Keyword, keyword_of, says
 from ropsim.model import Payload
 from ropsim.spatial import Array
 
@@ -28,15 +29,15 @@ class WeightRules:
         groups: first and last group of geometry that has a mass (`inertiagrouprange`).
         least_mass: of a body [kg] (`boundmass`).
         least_inertia: principal moment of a body [kg·m²] (`boundinertia`).
-        balance: `true` where moments that break A + B >= C become their mean (`balanceinertia`).
+        balances: whether moments that break A + B >= C become their mean (`balanceinertia`).
         total: mass to which the whole model is scaled [kg]; none where it is not positive (`settotalmass`).
     """
 
-    from_geometry: str
+    from_geometry: Keyword
     groups: tuple[float, float]
     least_mass: float
     least_inertia: float
-    balance: str
+    balances: bool
     total: float
 
     def has_mass(self, group: float) -> bool:
@@ -48,22 +49,22 @@ def weight_rules(compiler: Element, notes: Notes) -> WeightRules:
     """Return the rules that the settings of a file say."""
     first, last = numbers_of(compiler, "inertiagrouprange", notes, (0.0, 5.0))
     return WeightRules(
-        compiler.attributes.get("inertiafromgeom", "auto"),
+        keyword_of(compiler, "inertiafromgeom", notes),
         (first, last),
         number_of(compiler, "boundmass", notes),
         number_of(compiler, "boundinertia", notes),
-        compiler.attributes.get("balanceinertia", "false"),
+        says(compiler, "balanceinertia", notes),
         number_of(compiler, "settotalmass", notes, -1.0),
     )
 
 
 def corrected(weight: Payload, rules: WeightRules) -> Payload:
     """Return the weight of a body with its mass and moments not below their bounds, and balanced."""
-    if rules.balance != "true" and max(rules.least_mass, rules.least_inertia) <= _GUARD:
+    if not rules.balances and max(rules.least_mass, rules.least_inertia) <= _GUARD:
         return weight
     moments, axes = np.linalg.eigh((weight.inertia + weight.inertia.T) / 2.0)
     made: Array = np.maximum(moments, rules.least_inertia)
-    if rules.balance == "true" and made[0] + made[1] < made[2] * (1.0 - _SLACK):
+    if rules.balances and made[0] + made[1] < made[2] * (1.0 - _SLACK):
         made = np.full(3, made.mean())
     inertia = weight.inertia if np.array_equal(made, moments) else axes @ np.diag(made) @ axes.T
     return Payload(max(weight.mass, rules.least_mass), weight.com, inertia)

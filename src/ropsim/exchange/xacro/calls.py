@@ -25,7 +25,11 @@ class Calls(Texts, ABC):
 
     def _call(self, name: str, one: Element, scope: Scope, depth: int) -> list[Element]:
         macro, outer = scope.macro(name)
-        self._deeper()
+        with self._deeper():
+            return self._expanded_call(macro, one, outer, depth)
+
+    def _expanded_call(self, macro: Macro, one: Element, outer: Scope, depth: int) -> list[Element]:
+        """Return what a call makes of a macro, in the scope around it."""
         inner = Scope(self, outer)
         self._check(macro, one)
         values = [parameter for parameter in macro.parameters if parameter.sort is Sort.VALUE]
@@ -38,7 +42,6 @@ class Calls(Texts, ABC):
                 self._give_default(parameter, outer, inner)
         found = self._elements(macro.body, inner, depth + 1)
         self._texts_of(macro.text, inner)
-        self._calls -= 1
         return found
 
     def _check(self, macro: Macro, one: Element) -> None:

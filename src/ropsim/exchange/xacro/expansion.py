@@ -11,7 +11,7 @@ from ropsim.exchange.losses.diagnostics import XACRO
 from ropsim.exchange.losses.gathered import listed, shown
 from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.xacro.calls import Calls
-from ropsim.exchange.xacro.formulas.values import XacroError, literal, truth
+from ropsim.exchange.xacro.formulas.values import XacroError, literal, truth, unquoted
 from ropsim.exchange.xacro.scope import IncludedScope, Scope
 
 PREFIX = "xacro:"
@@ -152,14 +152,15 @@ class _Expansion(Calls):
             return []
         if "default" in one.attributes and scope.has(name):
             return []
-        where = {"parent": scope.above, "global": scope.outermost}.get(one.attributes.get("scope", ""), scope)
+        others = {"parent": scope.above, "global": scope.outermost}
+        where = others.get(one.attributes.get("scope", ""))
         text = one.attributes.get("value", one.attributes.get("default"))
         if text is None:
-            where.give_block(name, one.children)
-        elif where is scope and self._flag(one, "lazy_eval", scope, default="true"):
-            where.define(name, text)
+            (where or scope).give_block(name, one.children)
+        elif where is None and self._flag(one, "lazy_eval", scope, default="true"):
+            scope.define(name, unquoted(text))
         else:
-            where.give(name, self.evaluated(text, scope))
+            (where or scope).give(name, self.evaluated(text, scope))
         return []
 
     def _flag(self, one: Element, key: str, scope: Scope, default: str) -> bool:
@@ -199,12 +200,11 @@ class _Expansion(Calls):
             if literal(one.attributes.get("optional", "")) is True:
                 return []
             raise
-        self._deeper()
-        root = read_xml(SourceText(self._folder.name_of(path), text), self._notes)
-        if root is None:
-            raise XacroError(f"the file `{shown(path)}` cannot be read")
-        self._beside.append(path.rpartition("/")[0])
-        found = self._contents(root, inner, depth)
-        self._beside.pop()
-        self._calls -= 1
+        with self._deeper():
+            root = read_xml(SourceText(self._folder.name_of(path), text), self._notes)
+            if root is None:
+                raise XacroError(f"the file `{shown(path)}` cannot be read")
+            self._beside.append(path.rpartition("/")[0])
+            found = self._contents(root, inner, depth)
+            self._beside.pop()
         return found

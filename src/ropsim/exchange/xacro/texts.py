@@ -1,5 +1,8 @@
 """Texts of an expanded file: their values, the files that they name, limits of their cost."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 from ropsim.core import near
 from ropsim.exchange.files.folder import ReadOptions
 from ropsim.exchange.files.xml_tree import MOST_ELEMENTS, Element
@@ -109,12 +112,16 @@ class Texts:
         if self._made > MOST_ELEMENTS:
             raise XacroError(f"the file becomes more than {MOST_ELEMENTS} elements", "cut it down")
 
-    def _deeper(self) -> None:
+    @contextmanager
+    def _deeper(self) -> Iterator[None]:
+        """Go into a macro or an included file."""
         self._calls += 1
         if self._calls > MOST_CALLS:
             raise XacroError(
                 f"macros and files are more than {MOST_CALLS} in each other", "look for a circle"
             )
+        yield
+        self._calls -= 1
 
     def _text(self, text: str, scope: Scope) -> str:
         self.spend(len(text))

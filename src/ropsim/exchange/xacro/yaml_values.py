@@ -2,8 +2,7 @@
 
 Read are mappings and lists by indentation and in brackets, texts in quotation marks, comments, anchors with
 their aliases and merges, and expressions with a unit such as `!degrees` before them; other tags and texts
-over several lines are refused (YAML 1.2, 2021, chapters 6 to 8; the merge key of YAML 1.1, 2005; the tags of
-xacro).
+over several lines are refused (YAML 1.1, 2005, as the official tool reads it; the tags of xacro).
 """
 
 import re
@@ -15,8 +14,9 @@ from ropsim.exchange.xacro.formulas.functions import CONSTANTS
 from ropsim.exchange.xacro.formulas.names import FileOfNames
 from ropsim.exchange.xacro.formulas.parser import value_of
 from ropsim.exchange.xacro.formulas.tokens import text_in
-from ropsim.exchange.xacro.formulas.values import Value, XacroError, bounded, literal
+from ropsim.exchange.xacro.formulas.values import Key, Value, XacroError, bounded
 from ropsim.exchange.xacro.yaml_lines import Line, yaml_lines
+from ropsim.exchange.xacro.yaml_scalars import plain
 
 MOST_DEPTH = 20
 UNITS: Mapping[str, float] = MappingProxyType(
@@ -26,11 +26,6 @@ UNITS: Mapping[str, float] = MappingProxyType(
 """Tags of numbers: factor to SI units."""
 _REFUSED = ("|", ">", "%", "@", "`", "!", "?")
 _ANCHOR = re.compile(r"&([^\s\[\]{},]+)(?:\s+|$)")
-_WORDS: Mapping[str, Value] = MappingProxyType(
-    {word: None for word in ("~", "null", "Null", "NULL")}
-    | {word: True for word in ("yes", "Yes", "YES", "on", "On", "ON", "TRUE")}
-    | {word: False for word in ("no", "No", "NO", "off", "Off", "OFF", "FALSE")}
-)
 
 
 def yaml_value(text: str) -> Value:
@@ -61,12 +56,12 @@ class _Reader:
         lines = self._lines
         if depth > MOST_DEPTH:
             raise XacroError(f"a YAML file is more than {MOST_DEPTH} deep", "make it flatter")
-        if lines[place][1].startswith(("- ", "-")) and not _is_number(lines[place][1]):
+        if _is_item(lines[place][1]):
             return self._sequence(place, indent, depth)
         if _split(lines[place][1]) is None:
             return self._scalar(lines[place][1], depth), place + 1
-        found: dict[str, Value] = {}
-        merged: dict[str, Value] = {}
+        found: dict[Key, Value] = {}
+        merged: dict[Key, Value] = {}
         while place < len(lines) and lines[place][0] == indent:
             pair = _split(lines[place][1])
             if pair is None:
@@ -78,7 +73,7 @@ class _Reader:
             if key == "<<":
                 merged = {**_mapping(value), **merged}
             else:
-                found[key] = value
+                found[_key(key)] = value
         return {**merged, **found}, place
 
     def _behind(self, rest: str, place: int, indent: int, depth: int) -> tuple[Value, int]:
@@ -88,7 +83,7 @@ class _Reader:
         if anchor is not None:
             rest = rest[anchor.end() :]
         deeper = place < len(lines) and (
-            lines[place][0] > indent or (lines[place][0] == indent and lines[place][1].startswith("- "))
+            lines[place][0] > indent or (lines[place][0] == indent and _is_item(lines[place][1]))
         )
         value: Value = None
         if rest:
@@ -102,13 +97,13 @@ class _Reader:
     def _sequence(self, place: int, indent: int, depth: int) -> tuple[Value, int]:
         lines = self._lines
         found: list[Value] = []
-        while place < len(lines) and lines[place][0] == indent and lines[place][1].startswith("-"):
+        while place < len(lines) and lines[place][0] == indent and _is_item(lines[place][1]):
             rest = lines[place][1][1:].strip()
             anchor = _ANCHOR.match(rest)
             if anchor is not None:
                 rest = rest[anchor.end() :]
             value: Value = None
-            if rest and _split(rest) is None and not rest.startswith("- "):
+            if rest and _split(rest) is None and not _is_item(rest):
                 value, place = self._scalar(rest, depth), place + 1
             else:
                 inner = lines[place][0] + (lines[place][1].rindex(rest) if rest else 1)
@@ -141,9 +136,9 @@ class _Reader:
             raise XacroError(f"`{text[:40]}` is not read in YAML", "write the value itself")
         if text[0] in "[{":
             return self._flow(text, depth)
-        if len(text) > 1 and text[0] == text[-1] and text[0] in "'\"":
-            return text[1:-1].replace("''", "'") if text[0] == "'" else text_in(text)
-        return _WORDS[text] if text in _WORDS else literal(text)
+        if _is_quoted(text):
+            return _quoted(text)
+        return plain(text)
 
     def _flow(self, text: str, depth: int) -> Value:
         """Return a list or mapping in brackets."""
@@ -153,17 +148,24 @@ class _Reader:
         if not all(parts):
             raise XacroError(f"`{text[:40]}` has nothing between two commas", "leave one out")
         if text[0] == "[":
-            return [self._scalar(part, depth + 1) for part in parts]
+            return [self._member(part, depth + 1) for part in parts]
         pairs = [_split(part) for part in parts]
         if any(pair is None or not pair[1] for pair in pairs):
             raise XacroError(f"`{text[:40]}` holds what is no pair in YAML", "write key: value")
-        return {pair[0]: self._scalar(pair[1], depth + 1) for pair in pairs if pair}
+        return {_key(pair[0]): self._scalar(pair[1], depth + 1) for pair in pairs if pair}
+
+    def _member(self, text: str, depth: int) -> Value:
+        """Return a member of a list in brackets, which may be a mapping of one pair without brackets."""
+        pair = _split(text)
+        if pair is None:
+            return self._scalar(text, depth)
+        return {_key(pair[0]): self._scalar(pair[1], depth) if pair[1] else None}
 
 
-def _mapping(value: Value) -> Mapping[str, Value]:
+def _mapping(value: Value) -> Mapping[Key, Value]:
     """Return what a merge key takes over: a mapping, or several, of which the first ones win."""
     many = value if isinstance(value, list) else [value]
-    found: dict[str, Value] = {}
+    found: dict[Key, Value] = {}
     for one in many:
         if not isinstance(one, dict):
             raise XacroError("`<<` in YAML takes mappings", "write `<<: *name`")
@@ -191,17 +193,29 @@ class _Constants:
         return CONSTANTS[name]
 
 
-def _is_number(text: str) -> bool:
-    return isinstance(literal(text), int | float)
+def _is_item(text: str) -> bool:
+    return text == "-" or text.startswith("- ")
+
+
+def _is_quoted(text: str) -> bool:
+    return len(text) > 1 and text[0] == text[-1] and text[0] in "'\""
+
+
+def _quoted(text: str) -> str:
+    return text[1:-1].replace("''", "'") if text[0] == "'" else text_in(text)
+
+
+def _key(text: str) -> Key:
+    return _quoted(text) if _is_quoted(text) else plain(text)
 
 
 def _split(text: str) -> tuple[str, str] | None:
-    """Return key and value of a line; nothing where it is no pair."""
+    """Return key and value of a line, in their spelling; nothing where it is no pair."""
     if text[0] in "[{":
         return None
     if text[0] in "'\"" and text[0] in text[1:]:
         end = text.index(text[0], 1)
-        key, rest = text[1:end], text[end + 1 :].lstrip()
+        key, rest = text[: end + 1], text[end + 1 :].lstrip()
         return (key, rest[1:].strip()) if rest.startswith(":") else None
     key, colon, rest = text.partition(":")
     while colon and rest and rest[0] != " ":

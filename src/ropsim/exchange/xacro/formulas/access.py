@@ -6,7 +6,7 @@ from ropsim.exchange.xacro.formulas.meanings import Arguments, Meaning
 from ropsim.exchange.xacro.formulas.methods import method_of
 from ropsim.exchange.xacro.formulas.names import Names
 from ropsim.exchange.xacro.formulas.operators import applied
-from ropsim.exchange.xacro.formulas.values import NameSpace, Value, XacroError, words
+from ropsim.exchange.xacro.formulas.values import Key, NameSpace, Value, XacroError, key_of, words
 
 
 def method_called(of: Meaning, name: str, arguments: Arguments) -> Meaning:
@@ -47,8 +47,8 @@ def indexed(of: Meaning, index: Meaning) -> Meaning:
     def found(names: Names) -> Value:
         holder, key = of(names), index(names)
         if isinstance(holder, Mapping):
-            if str(key) in holder:
-                return holder[str(key)]
+            if key_of(key) in holder:
+                return holder[key_of(key)]
             raise XacroError(f"a dictionary has no key `{str(key)[:40]}`", _keys(holder))
         if (
             isinstance(holder, list | tuple | str)
@@ -80,5 +80,5 @@ def _end(value: Value) -> int | None:
     raise XacroError(f"a slice ends at `{words(value)[:40]}`", "write whole numbers")
 
 
-def _keys(holder: Mapping[str, Value]) -> str:
+def _keys(holder: Mapping[Key, Value]) -> str:
     return f"keys are {', '.join(str(key)[:30] for key in list(holder)[:8])}" if holder else "it is empty"

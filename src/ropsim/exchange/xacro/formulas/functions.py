@@ -6,7 +6,15 @@ from types import MappingProxyType
 from typing import Any
 
 from ropsim.exchange.xacro.formulas.operators import applied, number, power
-from ropsim.exchange.xacro.formulas.values import LONGEST_LIST, Function, Value, XacroError, words
+from ropsim.exchange.xacro.formulas.values import (
+    LONGEST_LIST,
+    Function,
+    Key,
+    Value,
+    XacroError,
+    key_of,
+    words,
+)
 
 _MATHEMATICS = (
     *(
@@ -55,8 +63,8 @@ def _map(function: Value, *lists: Iterable[Value]) -> list[Value]:
     return found
 
 
-def _dictionary(*pairs: Iterable[tuple[Value, Value]], **named: Value) -> dict[str, Value]:
-    return {str(key): value for key, value in dict(*pairs, **named).items()}
+def _dictionary(*pairs: Iterable[tuple[Value, Value]], **named: Value) -> dict[Key, Value]:
+    return {key_of(key): value for key, value in dict(*pairs, **named).items()}
 
 
 def _pairs(*lists: Iterable[Value]) -> list[Value]:

@@ -12,18 +12,8 @@ Arguments = tuple[list[Meaning], dict[str, Meaning]]
 """Arguments of a call: by place and by name."""
 
 
-def true(value: Value) -> bool:
-    """Return whether a value decides an `or`."""
-    return bool(value)
-
-
-def false(value: Value) -> bool:
-    """Return whether a value decides an `and`."""
-    return not value
-
-
 def first_of(parts: list[Meaning], names: Names, wanted: Callable[[Value], bool]) -> Value:
-    """Return the first value that decides `or` or `and`; later ones are not evaluated."""
+    """Return the first value that is wanted, else the last one; those behind it are not evaluated."""
     value: Value = None
     for part in parts:
         value = part(names)

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any
 
-from ropsim.exchange.xacro.formulas.values import LONGEST, Value, XacroError
+from ropsim.exchange.xacro.formulas.values import LONGEST, Value, XacroError, key_of
 
 
 def _replaced(text: str, old: str, new: str, count: int = -1) -> str:
@@ -45,12 +45,12 @@ _TEXT = (
 )
 _LIST = _of(list, "index", "count", "copy")
 _DICTIONARY: dict[str, Callable[..., Any]] = {
-    "get": lambda owner, key, default=None: owner.get(str(key), default),
+    "get": lambda owner, key, default=None: owner.get(key_of(key), default),
     "copy": dict.copy,
     "keys": list,
     "values": lambda owner: list(owner.values()),
     "items": lambda owner: list(owner.items()),
-    "has_key": lambda owner, key: str(key) in owner,
+    "has_key": lambda owner, key: key_of(key) in owner,
 }
 METHODS: Mapping[type, tuple[str, Mapping[str, Callable[..., Any]]]] = MappingProxyType(
     {

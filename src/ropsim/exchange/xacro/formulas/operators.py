@@ -14,6 +14,7 @@ from ropsim.exchange.xacro.formulas.values import (
     Value,
     XacroError,
     bounded,
+    key_of,
     words,
 )
 
@@ -88,7 +89,7 @@ def _same(a: Value, b: Value) -> bool:
 
 def _in(a: Value, b: Value) -> bool:
     if isinstance(b, str | list | tuple | dict):
-        return operator.contains(b, str(a) if isinstance(b, dict) else a)
+        return operator.contains(b, key_of(a) if isinstance(b, dict) else a)
     raise XacroError(f"`in` goes with `{words(b)[:40]}`", "allowed are lists, texts and dictionaries")
 
 

@@ -4,6 +4,7 @@ The grammar is that of Python's expressions without assignments and lambdas. Cal
 `functions.py` and `file_functions.py` and the methods of `methods.py`; all others are refused by name.
 """
 
+import operator
 from functools import lru_cache
 
 from ropsim.exchange.xacro.formulas.access import indexed, member, method_called, sliced
@@ -16,19 +17,17 @@ from ropsim.exchange.xacro.formulas.meanings import (
     called,
     compared,
     constant,
-    false,
     first_of,
     folded,
     grouped_values,
     listed_values,
     named,
-    true,
 )
 from ropsim.exchange.xacro.formulas.names import Names
 from ropsim.exchange.xacro.formulas.operators import BINARY, applied
 from ropsim.exchange.xacro.formulas.token_reader import MOST_DEPTH, TokenReader
 from ropsim.exchange.xacro.formulas.tokens import Sort, text_in
-from ropsim.exchange.xacro.formulas.values import Value, XacroError, bounded
+from ropsim.exchange.xacro.formulas.values import Value, XacroError, bounded, key_of
 
 _COMPARISONS = ("==", "!=", "<", ">", "<=", ">=", "in", "not in", "is", "is not")
 _LEVELS = (_COMPARISONS, ("|",), ("^",), ("&",), ("<<", ">>"), ("+", "-"), ("*", "/", "//", "%"))
@@ -41,36 +40,32 @@ class Parser(TokenReader):
 
     def meaning(self) -> Meaning:
         """Return the meaning of the whole text."""
-        found = self._choice()
+        found = self._conditional()
         if self._place < len(self._tokens):
             raise XacroError(f"`{self._tokens[self._place].text}` does not go on with an expression")
         return found
 
-    def _choice(self) -> Meaning:
-        self._depth += 1
-        if self._depth > MOST_DEPTH:
-            raise XacroError(f"an expression is more than {MOST_DEPTH} deep", "make it simpler")
-        chosen = self._any()
-        if self._take("if"):
-            condition = self._any()
+    def _conditional(self) -> Meaning:
+        with self._deeper():
+            chosen = self._disjunction()
+            if not self._take("if"):
+                return chosen
+            condition = self._disjunction()
             self._need("else")
-            other = self._choice()
-            self._depth -= 1
-            return lambda names: chosen(names) if condition(names) else other(names)
-        self._depth -= 1
-        return chosen
+            other = self._conditional()
+        return lambda names: chosen(names) if condition(names) else other(names)
 
-    def _any(self) -> Meaning:
-        parts = [self._all()]
+    def _disjunction(self) -> Meaning:
+        parts = [self._conjunction()]
         while self._take("or"):
-            parts.append(self._all())
-        return parts[0] if len(parts) == 1 else lambda names: first_of(parts, names, wanted=true)
+            parts.append(self._conjunction())
+        return parts[0] if len(parts) == 1 else lambda names: first_of(parts, names, wanted=bool)
 
-    def _all(self) -> Meaning:
+    def _conjunction(self) -> Meaning:
         parts = [self._not()]
         while self._take("and"):
             parts.append(self._not())
-        return parts[0] if len(parts) == 1 else lambda names: first_of(parts, names, wanted=false)
+        return parts[0] if len(parts) == 1 else lambda names: first_of(parts, names, wanted=operator.not_)
 
     def _not(self) -> Meaning:
         count = 0
@@ -109,17 +104,14 @@ class Parser(TokenReader):
         return lambda names: applied("-", lambda a: factor * +a, [inner(names)])
 
     def _power(self) -> Meaning:
-        base = self._behind()
+        base = self._with_suffixes()
         if not self._take("**"):
             return base
-        self._depth += 1
-        if self._depth > MOST_DEPTH:
-            raise XacroError(f"an expression is more than {MOST_DEPTH} deep", "make it simpler")
-        exponent = self._signed()
-        self._depth -= 1
+        with self._deeper():
+            exponent = self._signed()
         return lambda names: applied("**", BINARY["**"], [base(names), exponent(names)])
 
-    def _behind(self) -> Meaning:
+    def _with_suffixes(self) -> Meaning:
         """Return an atom with its suffixes: indices, slices, members and methods."""
         found = self._atom()
         count = 0
@@ -148,7 +140,7 @@ class Parser(TokenReader):
                 ends.append(last or constant(None))
                 last = None
             elif last is None:
-                last = self._choice()
+                last = self._conditional()
             else:
                 raise XacroError("an expression lacks `]`")
         if not colons and last is not None:
@@ -213,9 +205,9 @@ class Parser(TokenReader):
         while not self._take(")"):
             key = self._keyword()
             if key:
-                keywords[key] = self._choice()
+                keywords[key] = self._conditional()
             else:
-                places.append(self._turning(self._choice()))
+                places.append(self._turning(self._conditional()))
             if not self._take(","):
                 self._need(")")
                 break
@@ -233,20 +225,20 @@ class Parser(TokenReader):
         """Return what stands in parentheses: a value, several ones, or a comprehension."""
         if self._take(")"):
             return grouped_values([])
-        parts = [self._turning(self._choice())]
+        parts = [self._turning(self._conditional())]
         comma = False
         while self._take(","):
             comma = True
             if self._sign() == ")":
                 break
-            parts.append(self._choice())
+            parts.append(self._conditional())
         self._need(")")
         return grouped_values(parts) if comma else parts[0]
 
     def _list(self) -> Meaning:
         found: list[Meaning] = []
         while not self._take("]"):
-            one = self._choice()
+            one = self._conditional()
             if not found and self._sign() == "for":
                 inner = self._turning(one)
                 self._need("]")
@@ -270,23 +262,23 @@ class Parser(TokenReader):
             if closing:
                 self._need(")")
             self._need("in")
-            over = self._any()
+            over = self._disjunction()
             conditions: list[Meaning] = []
             while self._take("if"):
-                conditions.append(self._any())
+                conditions.append(self._disjunction())
             clauses.append(Clause(tuple(variables), over, tuple(conditions)))
         return comprehended(element, clauses) if clauses else element
 
     def _dictionary(self) -> Meaning:
         pairs: list[tuple[Meaning, Meaning]] = []
         while not self._take("}"):
-            key = self._choice()
+            key = self._conditional()
             self._need(":")
-            pairs.append((key, self._choice()))
+            pairs.append((key, self._conditional()))
             if not self._take(","):
                 self._need("}")
                 break
-        return lambda names: bounded({str(key(names)): value(names) for key, value in pairs})
+        return lambda names: bounded({key_of(key(names)): value(names) for key, value in pairs})
 
 
 def _known() -> str:

@@ -1,5 +1,8 @@
 """The words of an expression, taken one after the other."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+
 from ropsim.exchange.xacro.formulas.tokens import Sort, Token, tokens
 from ropsim.exchange.xacro.formulas.values import XacroError
 
@@ -14,6 +17,15 @@ class TokenReader:
         self._tokens = list(tokens(text))
         self._place = 0
         self._depth = 0
+
+    @contextmanager
+    def _deeper(self) -> Iterator[None]:
+        """Go one level deeper into the expression."""
+        self._depth += 1
+        if self._depth > MOST_DEPTH:
+            raise XacroError(f"an expression is more than {MOST_DEPTH} deep", "make it simpler")
+        yield
+        self._depth -= 1
 
     def _next(self) -> Token | None:
         return self._tokens[self._place] if self._place < len(self._tokens) else None

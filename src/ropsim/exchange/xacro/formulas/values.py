@@ -31,8 +31,10 @@ class Function:
         return f"function {self.name}"
 
 
+Key: TypeAlias = bool | int | float | str | None
+"""A key of a dictionary."""
 Value: TypeAlias = (
-    "bool | int | float | str | list[Value] | tuple[Value, ...] | dict[str, Value]"
+    "bool | int | float | str | list[Value] | tuple[Value, ...] | dict[Key, Value]"
     " | Function | NameSpace | None"
 )
 
@@ -84,11 +86,27 @@ def _count(value: Value) -> None:
             raise XacroError("a list holds a text that is too long", "make it shorter")
 
 
+def key_of(value: Value) -> Key:
+    """Return a value as a key of a dictionary.
+
+    Raises:
+        XacroError: it is a list or the like.
+    """
+    if value is None or isinstance(value, bool | int | float | str):
+        return value
+    raise XacroError(f"`{words(value)[:40]}` is no key of a dictionary", "take a text or a number")
+
+
+def unquoted(text: str) -> str:
+    """Return what stands in single quotation marks, else the text itself."""
+    return text[1:-1] if len(text) >= 2 and text[0] == text[-1] == "'" else text
+
+
 def literal(text: str) -> Value:
     """Return the value of a text: a number, a truth value, what is in single quotation marks, else itself."""
     word = text.strip()
-    if len(text) >= 2 and text[0] == text[-1] == "'":
-        return text[1:-1]
+    if unquoted(text) != text:
+        return unquoted(text)
     for kind in (int, float):
         try:
             if "_" not in word and word.isascii():
