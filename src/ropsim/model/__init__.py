@@ -100,6 +100,7 @@ from ropsim.model.findings.place import Attribute as Attribute
 from ropsim.model.findings.place import AuditPlace as AuditPlace
 from ropsim.model.findings.place import PlaceOf as PlaceOf
 from ropsim.model.findings.place import nowhere as nowhere
+from ropsim.model.geometry.elements import LARGEST_MESH as LARGEST_MESH
 from ropsim.model.geometry.elements import LIGHT_GREY as LIGHT_GREY
 from ropsim.model.geometry.elements import MESH_ENDINGS as MESH_ENDINGS
 from ropsim.model.geometry.elements import Box as Box

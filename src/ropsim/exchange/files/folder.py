@@ -95,6 +95,11 @@ class RobotFolder:
         """Return whether a file is there, and not by a link that leads out of the open folders."""
         return self.root is None or self._file(path) is not None
 
+    def size(self, path: str) -> int:
+        """Return the bytes of a file in the folder; 0 where it is not there, or no file may be read."""
+        place = None if self.root is None else self._file(path)
+        return place.stat().st_size if place else 0
+
     def text(self, path: str) -> str | None:
         """Return the text of a file in the folder; None if it is missing, too large or not UTF-8."""
         place = self._file(path)

@@ -32,11 +32,12 @@ class Link:
 BASE_LINK = -1
 """Parent of a joint that hangs on the base of its mechanism."""
 
-WITHOUT_END = 400.0 * 2.0 * pi
-"""Limit of a joint that turns without end [rad]."""
-
 PREVIOUS = -2
 """Parent of a joint that hangs on the link of the joint before it in the list, the first one on the base."""
+
+
+WITHOUT_END = 400.0 * 2.0 * pi
+"""Limit of a joint that turns without end [rad]; no program comes near to it."""
 
 
 class JointType(Enum):
