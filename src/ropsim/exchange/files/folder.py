@@ -117,6 +117,7 @@ class RobotFolder:
         try:
             place = Path(os.path.realpath(self.root / path))
             inside = any(place.is_relative_to(os.path.realpath(self.root / one)) for one in self._open())
+            inside = inside and place.is_relative_to(os.path.realpath(self.root))  # packages may be links
             return place if inside and place.is_file() else None
         except (OSError, ValueError):
             return None
