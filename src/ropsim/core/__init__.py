@@ -21,6 +21,7 @@ from ropsim.core.disk.files import replace_private_file as replace_private_file
 from ropsim.core.disk.handles import retried as retried
 from ropsim.core.disk.inside import OUTSIDE_PROJECT as OUTSIDE_PROJECT
 from ropsim.core.disk.inside import LeadsOutError as LeadsOutError
+from ropsim.core.disk.inside import check_stated as check_stated
 from ropsim.core.disk.inside import create_inside as create_inside
 from ropsim.core.disk.inside import outside_project as outside_project
 from ropsim.core.disk.inside import place_inside as place_inside

@@ -3,7 +3,6 @@
 from collections.abc import Iterable
 
 from ropsim.core import Diagnostic
-from ropsim.exchange.assembly.joint_limits import WITHOUT_END
 from ropsim.exchange.files.names import BASE, FLANGE, unused
 from ropsim.exchange.files.xml_text import Tag, number, tag, value, xml_text
 from ropsim.exchange.losses.loss_diagnostics import LOST_DRIVE
@@ -17,7 +16,7 @@ from ropsim.exchange.writing.write_losses import (
     word_losses,
 )
 from ropsim.exchange.writing.written_tree import WrittenJoint, WrittenTree, written_tree
-from ropsim.model import JointType, RobotModel, WrittenRobot
+from ropsim.model import WITHOUT_END, JointType, RobotModel, WrittenRobot
 
 VERSION = "1.11"
 """Of SDFormat: the first one in which a joint can follow another."""

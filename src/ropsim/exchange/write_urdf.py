@@ -4,7 +4,6 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from ropsim.core import Diagnostic
-from ropsim.exchange.assembly.joint_limits import WITHOUT_END
 from ropsim.exchange.files.names import BASE, FLANGE, unused
 from ropsim.exchange.files.xml_text import Tag, number, tag, xml_text
 from ropsim.exchange.urdf.text import endless, inertial, limit, origin, visuals
@@ -16,7 +15,7 @@ from ropsim.exchange.writing.write_losses import (
     word_losses,
 )
 from ropsim.exchange.writing.written_tree import WrittenJoint, WrittenTree, written_tree
-from ropsim.model import JointType, Link, RobotModel, WrittenRobot
+from ropsim.model import WITHOUT_END, JointType, Link, RobotModel, WrittenRobot
 
 
 def write_urdf(robot: RobotModel) -> WrittenRobot:

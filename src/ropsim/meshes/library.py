@@ -21,13 +21,10 @@ from ropsim.meshes.diagnostics import MANY_TRIANGLES, MESH_MISSING, MESH_TOO_LAR
 from ropsim.meshes.formats import MeshFileError
 from ropsim.meshes.glb import glb_bytes
 from ropsim.meshes.reading import read_mesh
-from ropsim.model import Cell, Mesh, body_tree
+from ropsim.model import LARGEST_MESH, Cell, Mesh, body_tree
 
 if TYPE_CHECKING:
     from ropsim.views import MeshSource
-
-LARGEST = 50_000_000
-"""Largest mesh file that is read [bytes]."""
 
 TRIANGLE_BUDGET = 200_000
 """Triangles of all meshes of a cell beyond which a warning is due."""
@@ -157,10 +154,10 @@ def mesh_content(folder: Path, file: str) -> bytes:
         if not stat.S_ISREG(facts.st_mode):
             raise MeshFileError(MESH_MISSING, "is no ordinary file", "give the path of a file")
         size = facts.st_size
-        if size > LARGEST:
-            found = f"has {size / 1e6:.0f} MB, at most {LARGEST / 1e6:.0f} MB are read"
+        if size > LARGEST_MESH:
+            found = f"has {size / 1e6:.0f} MB, at most {LARGEST_MESH / 1e6:.0f} MB are read"
             raise MeshFileError(MESH_TOO_LARGE, found, "export it with a coarser tolerance")
-        return read_bytes(place, LARGEST)
+        return read_bytes(place, LARGEST_MESH)
     except LeadsOutError as error:
         raise MeshFileError(OUTSIDE_PROJECT, str(error.strerror), "copy the file into the project") from error
     except FileNotFoundError:

@@ -108,6 +108,7 @@ from ropsim.model.findings.place import AuditPlace as AuditPlace
 from ropsim.model.findings.place import PlaceOf as PlaceOf
 from ropsim.model.findings.place import nowhere as nowhere
 from ropsim.model.geometry.elements import DARK_GREY as DARK_GREY
+from ropsim.model.geometry.elements import LARGEST_MESH as LARGEST_MESH
 from ropsim.model.geometry.elements import LIGHT_GREY as LIGHT_GREY
 from ropsim.model.geometry.elements import MESH_ENDINGS as MESH_ENDINGS
 from ropsim.model.geometry.elements import STEEL_GREY as STEEL_GREY
@@ -139,6 +140,7 @@ from ropsim.model.mechanism.joint_tree import joint_tree as joint_tree
 from ropsim.model.mechanism.links import ALL_DIRECTIONS as ALL_DIRECTIONS
 from ropsim.model.mechanism.links import BASE_LINK as BASE_LINK
 from ropsim.model.mechanism.links import PREVIOUS as PREVIOUS
+from ropsim.model.mechanism.links import WITHOUT_END as WITHOUT_END
 from ropsim.model.mechanism.links import Coupling as Coupling
 from ropsim.model.mechanism.links import Direction as Direction
 from ropsim.model.mechanism.links import Joint as Joint

@@ -1,10 +1,11 @@
 """The rows of `joints`: a Denavit–Hartenberg table with the limits of its joints."""
 
 from dataclasses import replace
-from math import pi
+from math import pi, tau
 
 from ropsim.core import frozen_dataclass
 from ropsim.model import (
+    WITHOUT_END,
     CoupledAxis,
     DhRow,
     Joint,
@@ -29,7 +30,11 @@ TO_FULL_SPEED = 0.25
 RISE = 10.0
 """Estimated jerk over acceleration [1/s]."""
 
+ENDLESS = "endless"
+"""Limits of a joint that turns without end."""
+
 _EFFORT = MOMENT.within(1e-6, 1e7)
+_TURNS = Quantity("turns", 1.0, -WITHOUT_END / tau, WITHOUT_END / tau)
 
 
 @frozen_dataclass
@@ -114,7 +119,7 @@ def _row(table: TomlTable, units: Units, guessed: dict[str, None]) -> tuple[DhRo
 def _limits(table: TomlTable, type_: JointType, units: Units, guessed: dict[str, None]) -> JointLimits:
     table.require("limits")
     way = units.turn if type_ is JointType.REVOLUTE else units.position
-    lower, upper = _range(table, way)
+    lower, upper = _wide_range(table, type_) or _range(table, "limits", way)
     for key, words in (("speed", "speeds"), ("acceleration", "accelerations"), ("jerk", "jerks")):
         if table.present and key not in table:
             guessed[words] = None
@@ -126,16 +131,31 @@ def _limits(table: TomlTable, type_: JointType, units: Units, guessed: dict[str,
     return JointLimits(lower, upper, speed, acceleration, jerk, effort)
 
 
-def _range(table: TomlTable, way: Quantity) -> tuple[float, float]:
-    """Return the limits of the coordinate [rad | m], the lower one first."""
+def _wide_range(table: TomlTable, type_: JointType) -> tuple[float, float] | None:
+    """Return the limits of a joint that turns without end, or many times [rad]; None where it has others."""
+    value = table.values.get("limits")
+    if type_ is not JointType.REVOLUTE or not isinstance(value, str | dict):
+        return None
+    if isinstance(value, str):
+        table.choice("limits", (ENDLESS,), ENDLESS)
+        return -WITHOUT_END, WITHOUT_END
+    inner = table.table("limits")
+    inner.require("turns")
+    lower, upper = _range(inner, "turns", _TURNS)
+    inner.finish()
+    return lower * tau, upper * tau
+
+
+def _range(table: TomlTable, key: str, way: Quantity) -> tuple[float, float]:
+    """Return two numbers of a list, in SI units, the lower one first."""
     noted = len(table.findings.items)
-    lower, upper = table.numbers("limits", 2, way, (0.0, 1.0))
+    lower, upper = table.numbers(key, 2, way, (0.0, 1.0))
     if lower < upper:
         return lower, upper
     if len(table.findings.items) == noted:  # no second complaint about stand-ins
         first, last = (way.show(value / way.scale) for value in (lower, upper))
-        message = f"`{table.name_of('limits')}` goes from {first} to {last}, allowed is a lower number first"
-        table.findings.add(VALUE_OUT_OF_RANGE, table.value_span("limits"), message)
+        message = f"`{table.name_of(key)}` goes from {first} to {last}, allowed is a lower number first"
+        table.findings.add(VALUE_OUT_OF_RANGE, table.value_span(key), message)
     return 0.0, 1.0
 
 

@@ -105,8 +105,9 @@ NOT_IN_ROBOT_FILE = define(
 A robot file describes one chain of turning and sliding joints by a table. Branches, closed chains,
 couplings other than those of coupled axes and other types of joints have no place in it, and neither have
 drives of other kinds than those of its rows. Rods and cranks without mass, which follow the axes and are
-only drawn, are left out: the arm moves without them as with them. The finding says what is left out, or why
-there is no file at all.
+only drawn, are left out: the arm moves without them as with them. Numbers beyond those that a robot file may
+have, such as links of a kilometre, are not written either. The finding says what is left out, or why there is
+no file at all.
 """,
 )
 

@@ -42,6 +42,10 @@ CONVENTIONS = ("standard", "modified")
 CLASSES = tuple(one.value for one in ArmClass if one is not ArmClass.PALLETIZER)
 """Classes of arms that a robot file describes."""
 PAYLOAD = Quantity("kg", 1.0, 1e-3, 1e5)
+GRAVITY = Quantity("m/s²", 1.0, -100.0, 100.0)
+DOWN = (0.0, 0.0, -9.81)
+"""Gravity of an arm whose file says nothing of it [m/s²]."""
+_ROUNDED = 1e-9  # [rad | m] of a rest position on a limit
 
 
 def read_robot_file(source: SourceText) -> ReadRobot:
@@ -85,6 +89,7 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
         root.findings.add(kinds.DRIVES_WITHOUT_MASSES, root.key_span("drives"), message, hint)
     home = _home(root, table.joints, units)
     rated_payload = root.number("payload", PAYLOAD, inf) if "payload" in root else inf
+    gravity = frozen(root.numbers("gravity", 3, GRAVITY, DOWN))
     wrong = tuple(
         number_findings(
             table.joints, links.links, range(len(table.joints)), drives, robot_file_places(source)
@@ -101,6 +106,7 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
         links=links.links,
         drives=drives,
         home=home,
+        gravity=gravity,
         origins=(*origins, *estimates(table, links)),
         base_shapes=base_shapes,
         X_nM=X_nM,
@@ -141,18 +147,17 @@ def _home(root: TomlTable, joints: tuple[Joint, ...], units: Units) -> Array:
     if len(value) != len(joints):
         root.wrong_count(("home",), value, f"{len(joints)}, one per joint")
         return np.array(default)
-    return frozen(
-        [
-            root.number_at(("home", k), item, _coordinate(joint, units), default[k])
-            for k, (item, joint) in enumerate(zip(value, joints, strict=True))
-        ]
-    )
+    given = [
+        root.number_at(("home", k), item, _coordinate(joint, units), default[k])
+        for k, (item, joint) in enumerate(zip(value, joints, strict=True))
+    ]
+    return frozen(np.clip(given, [one.lower for one in joints], [one.upper for one in joints]))
 
 
 def _coordinate(joint: Joint, units: Units) -> Quantity:
-    """Return how the coordinate of a joint is written; it lies within the limits."""
+    """Return how the coordinate of a joint is written; it lies within the limits, but for the last digit."""
     way = units.turn if joint.type is JointType.REVOLUTE else units.position
-    return way.within(joint.lower, joint.upper)
+    return way.within(joint.lower - _ROUNDED, joint.upper + _ROUNDED)
 
 
 def _pass_over(root: TomlTable) -> None:

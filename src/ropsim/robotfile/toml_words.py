@@ -2,15 +2,18 @@
 
 import json
 from collections.abc import Iterable
-from math import degrees, isinf
+from math import degrees, isinf, tau
 
 import numpy as np
 
-from ropsim.model import JointType
+from ropsim.model import WITHOUT_END, JointType
 from ropsim.spatial import Pose
 
 _ROUNDED = 9  # digits behind the point, of millimetres and degrees
+_DIGITS = 13  # of rates: slow ones keep them, too
 _UNIT = 14  # digits behind the point, of entries of quaternions
+_TURN = 12  # digits behind the point, of turns
+_TWO_TURNS = 2.0 * tau  # [rad]; limits beyond them are counted in turns
 _SAME = 1e-12  # [m, entries of a quaternion]
 
 
@@ -25,8 +28,23 @@ def length(value: float) -> str:
 
 
 def coordinate(value: float, type_: JointType) -> str:
-    """Return a coordinate, or a derivative of it, of a joint [rad | m] in degrees or millimetres."""
+    """Return a coordinate of a joint [rad | m] in degrees or millimetres."""
     return length(value) if type_ is JointType.PRISMATIC else number(round(degrees(value), _ROUNDED))
+
+
+def rate(value: float, type_: JointType) -> str:
+    """Return a derivative of a coordinate, such as a speed [rad/s | m/s], in degrees or millimetres."""
+    shown = 1e3 * value if type_ is JointType.PRISMATIC else degrees(value)
+    return number(float(f"{shown:.{_DIGITS}g}"))
+
+
+def range_text(lower: float, upper: float, type_: JointType) -> str:
+    """Return the limits of a joint [rad | m]: two coordinates, or turns where there are many of them."""
+    if type_ is JointType.REVOLUTE and max(-lower, upper) > _TWO_TURNS:
+        if (lower, upper) == (-WITHOUT_END, WITHOUT_END):
+            return text("endless")
+        return inline({"turns": row(number(round(value / tau, _TURN)) for value in (lower, upper))})
+    return row(coordinate(value, type_) for value in (lower, upper))
 
 
 def text(value: str) -> str:

@@ -6,7 +6,7 @@ from math import isfinite
 
 import numpy as np
 
-from ropsim.core import Diagnostic, frozen_dataclass
+from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.model import (
     CoupledAxis,
     DhRow,
@@ -24,6 +24,7 @@ from ropsim.robotfile.common_normals import common_normals
 from ropsim.robotfile.diagnostics import NOT_IN_ROBOT_FILE
 from ropsim.robotfile.drawn_bodies import without_drawn_bodies
 from ropsim.robotfile.drive_words import PinFrames, drive_keys
+from ropsim.robotfile.reading import DOWN, read_robot_file
 from ropsim.robotfile.shape_words import shapes_text
 from ropsim.robotfile.toml_words import (
     coordinate,
@@ -32,6 +33,8 @@ from ropsim.robotfile.toml_words import (
     lines,
     number,
     pose_keys,
+    range_text,
+    rate,
     row,
     text,
     unless,
@@ -58,7 +61,8 @@ def write_robot_file(robot: RobotModel) -> WrittenRobot:
     normals of its axes. Read again it has the same kinematics, masses and drives.
 
     Args:
-        robot: to be written; if a file cannot represent it, the text is empty and the losses name why.
+        robot: to be written; if a file cannot represent it, the text is empty and the losses name why: the
+            robot has something that a table does not say, or numbers that `read_robot_file` refuses.
     """
     undrawn = without_drawn_bodies(robot)
     robot, coupled = without_coupled_axes(undrawn.robot)
@@ -72,6 +76,7 @@ def write_robot_file(robot: RobotModel) -> WrittenRobot:
         "title": text(robot.title),
         "convention": text(table.convention),
         "home": row(coordinate(q, joint.type) for q, joint in zip(robot.home, robot.joints, strict=True)),
+        "gravity": "" if tuple(robot.gravity) == DOWN else row(map(number, robot.gravity.tolist())),
         "origins": _rows([_origin(one.parameters, one.kind, one.source) for one in robot.origins]),
         "class": text(robot.arm_class.value) if robot.arm_class is not None else "",
         "payload": number(robot.rated_payload) if isfinite(robot.rated_payload) else "",
@@ -97,7 +102,30 @@ def write_robot_file(robot: RobotModel) -> WrittenRobot:
         for drive, frames in zip(robot.drives, _pin_frames(robot, table), strict=False)
     ]
     parts += [f"[[drives]]\n{lines(keys)}" for keys in drives if keys and None not in drives]
-    return WrittenRobot("\n".join(parts), losses)
+    written = "\n".join(parts)
+    unreadable = tuple(_unreadable(robot, written))
+    return WrittenRobot("", unreadable) if unreadable else WrittenRobot(written, losses)
+
+
+def _unreadable(robot: RobotModel, written: str) -> Iterator[Diagnostic]:
+    """Yield why a written text could not be read again, with the joint in whose row it would be wrong."""
+    names = [joint.name for joint in robot.joints]
+    for one in read_robot_file(SourceText("robots/robot.toml", written)).findings:
+        if one.is_error:
+            joint = _joint_at(written.splitlines(), one.span.line, names) if one.span else ""
+            where = f", at joint `{joint}`" if joint else ""
+            message = f"a robot file cannot hold `{robot.name}`{where}: {one.message}"
+            hint = "a NIROX file has other bounds: let its name end in .stp"
+            yield NOT_IN_ROBOT_FILE.at(None, message, hint=hint)
+
+
+def _joint_at(written: Sequence[str], line: int, names: Sequence[str]) -> str:
+    """Return the name of the joint that a line of a written text is about; empty for a heading."""
+    above = [] if written[line - 1].startswith("[") else written[:line]
+    row = next((above.count(head) for head in ("[[drives]]", "[[links]]") if head in above), 0)
+    if not row and "joints = [" in above:
+        row = len(above) - above.index("joints = [") - 1
+    return names[row - 1] if 0 < row <= len(names) else ""
 
 
 def _table(robot: RobotModel) -> _Table:
@@ -152,7 +180,6 @@ def _origin(parameters: str, kind: str, source: str) -> dict[str, str]:
 
 
 def _joint(found: DhRow, joint: Joint) -> dict[str, str]:
-    lower, upper = (coordinate(value, joint.type) for value in (joint.lower, joint.upper))
     return {
         "name": text(joint.name),
         "type": text("prismatic") if joint.type is JointType.PRISMATIC else "",
@@ -160,10 +187,10 @@ def _joint(found: DhRow, joint: Joint) -> dict[str, str]:
         "alpha": coordinate(found.alpha, JointType.REVOLUTE),
         "d": length(found.d),
         "theta": coordinate(found.theta, JointType.REVOLUTE),
-        "limits": row((lower, upper)),
-        "speed": coordinate(joint.max_speed, joint.type),
-        "acceleration": coordinate(joint.max_acceleration, joint.type),
-        "jerk": coordinate(joint.max_jerk, joint.type),
+        "limits": range_text(joint.lower, joint.upper, joint.type),
+        "speed": rate(joint.max_speed, joint.type),
+        "acceleration": rate(joint.max_acceleration, joint.type),
+        "jerk": rate(joint.max_jerk, joint.type),
         "effort": unless(joint.max_effort, 0.0),
     }
 
@@ -173,9 +200,9 @@ def _coupled(robot: RobotModel, axes: Sequence[CoupledAxis], joint: int) -> dict
     for axis in axes:
         if axis.joint == joint:
             names = {text(robot.joints[other].name): number(factor) for other, factor in axis.others}
-            limits = (coordinate(one, robot.joints[joint].type) for one in (axis.lower, axis.upper))
-            bounded = isfinite(axis.lower) and isfinite(axis.upper)
-            return {"coupled": inline(names), "joint_limits": row(limits) if bounded else ""}
+            type_, bounded = robot.joints[joint].type, isfinite(axis.lower) and isfinite(axis.upper)
+            limits = row(coordinate(one, type_) for one in (axis.lower, axis.upper)) if bounded else ""
+            return {"coupled": inline(names), "joint_limits": limits}
     return {}
 
 

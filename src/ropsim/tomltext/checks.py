@@ -207,7 +207,7 @@ class TomlTable:
         """Return one of the words `allowed`."""
         value = self.text(key, default)
         self.ask(key, Question(Sort.TEXT, default=default, choices=tuple(allowed)))
-        if value in allowed:
+        if value in allowed or not isinstance(self.values.get(key, value), str):
             return value
         words = ", ".join(f"`{word}`" for word in allowed)
         message = f"`{self.name_of(key)}` is `{cut(value)}`, allowed are {words}"

@@ -44,9 +44,10 @@ TOO_LARGE = define(
     "X842",
     "file-too-large",
     Severity.ERROR,
-    "a file beyond what a program can be",
+    "a file that is too large for a text of a project",
     """
-Task files are read up to 5 MB, about a hundred thousand lines. A larger file is most likely no program.
+Task files, cell files and files of robots are read up to 5 MB, about a hundred thousand lines. A larger file
+is most likely another one than was meant.
 """,
 )
 
@@ -95,10 +96,8 @@ def read_program_file(path: Path, name: str) -> tuple[bytes | None, tuple[Diagno
             return None, (UNREADABLE.at(None, message, hint="write the text to a file and give that"),)
         size = facts.st_size
         if size > LARGEST:
-            message = (
-                f"`{name}` has {size / 1e6:.1f} MB, at most {LARGEST / 1e6:.0f} MB are read as a program"
-            )
-            return None, (TOO_LARGE.at(None, message, hint="is this a program?", data={"bytes": size}),)
+            message = f"`{name}` has {size / 1e6:.1f} MB, at most {LARGEST / 1e6:.0f} MB of text are read"
+            return None, (TOO_LARGE.at(None, message, hint="is it the file you mean?", data={"bytes": size}),)
         return read_bytes(path, LARGEST), ()
     except FileNotFoundError:
         return None, (missing_file(path, name),)

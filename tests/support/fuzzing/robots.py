@@ -8,6 +8,7 @@ convention = "modified"
 source = "nobody"
 home = [0, 30, 200]
 mass = 40
+gravity = [0, 0, -9.81]
 reach = 900
 origins = [{ parameters = "all", kind = "estimated", source = "by eye" }]
 [units]
@@ -35,7 +36,7 @@ effort = 300
 [[joints]]
 alpha = -90
 a = 50
-limits = [-100, 80]
+limits = { turns = [-0.3, 0.25] }
 [[joints]]
 type = "prismatic"
 alpha = 90

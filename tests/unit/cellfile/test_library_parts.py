@@ -164,6 +164,8 @@ def test_a_part_lies_on_it(kind: str, place: tuple[int, int, int], size: tuple[i
         ('{ kind = "flange" }', "X923", "part for a tool, and not for an object", "`eur_pallet`"),
         ("{ }", "X803", "needs `kind`", '"fence"'),
         ('{ kind = "" }', "X808", "is ``, allowed are `fence`", ""),
+        ('{ kind = "eur_pallet", model = 3 }', "X804", "is a whole number, needed is text", ""),
+        ("{ kind = 3 }", "X804", "is a whole number, needed is text", ""),
         ('{ kind = "eur_pallet", model = "" }', "X808", "is ``, allowed are `eur_1`", ""),
         ("3", "X804", "is a whole number", ""),
         ('{ kind = "table", width = "wide" }', "X804", "is text", ""),

@@ -107,6 +107,28 @@ def test_one_effort_and_one_rotor_on_all_axes_are_copies() -> None:
     assert not [one for one in audit(other.robot) if "greatest effort" in one.message]
 
 
+@pytest.mark.parametrize(("reach", "share"), [(2.0, 1.5), (2.0, 0.9), (0.5, 1.1), (0.5, 0.8)])
+def test_moments_are_those_of_a_longer_body_beyond_the_mass_times_the_square_of_the_reach(
+    reach: float, share: float
+) -> None:
+    """No point of a body within the reach adds more than its mass times the square of the distance."""
+    moment = share * 2.0 * reach**2
+    inertia = f'<inertia ixx="{0.1 * moment}" iyy="{moment}" izz="{moment}" ixy="0" ixz="0" iyz="0"/>'
+    link = f'<inertial><mass value="2"/>{inertia}</inertial>'
+    turn = '<axis xyz="0 0 1"/><limit lower="-1" upper="1" velocity="1" effort="900"/>'
+    found = read_urdf(
+        SourceText(
+            "arm.urdf",
+            f'<robot name="r"><link name="base"/><link name="a"/><link name="tool0">{link}</link>'
+            f'<joint name="j" type="revolute"><parent link="base"/><child link="a"/>{turn}</joint>'
+            f'<joint name="k" type="revolute"><parent link="a"/><child link="tool0"/>'
+            f'<origin xyz="{reach} 0 0"/>{turn}</joint></robot>',
+        )
+    )
+    told = any("longer than the robot" in f"{one.message} {one.notes}" for one in found.findings)
+    assert told == (share > 1.0)
+
+
 def test_a_sound_file_has_at_most_three_findings() -> None:
     found = arm(90.0, 60.0, 30.0)
     assert found.robot is not None

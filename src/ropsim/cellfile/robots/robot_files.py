@@ -4,11 +4,21 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from ropsim import robots
-from ropsim.core import Diagnostic, RopsimError, SourceText, frozen_dataclass
+from ropsim.core import (
+    Diagnostic,
+    LeadsOutError,
+    RopsimError,
+    SourceText,
+    check_stated,
+    frozen_dataclass,
+    outside_project,
+)
 from ropsim.model import ReadRobot, RobotModel, RobotSource
 from ropsim.tomltext import Question, Sort, TomlTable, document_values
 
 NO_FILES: Mapping[RobotSource, ReadRobot] = {}
+_SIMPLE = (str, bool, int, float)
+"""Types of the arguments of a xacro file; folders of packages are texts."""
 FOREIGN_ENDINGS = (".urdf", ".xacro", ".xml")
 """Endings of robot files in formats of others."""
 
@@ -52,19 +62,23 @@ def _source(table: Mapping[str, object], key: str) -> RobotSource | None:
         return None
     if not is_foreign_file(path):
         return RobotSource(path)
-    packages, arguments = (_texts(table.get(name)) for name in ("package", "arg"))
-    return RobotSource(path, tip if isinstance(tip, str) else "", packages, arguments)
+    packages = tuple(pair for pair in _texts(table.get("package")) if _stays_inside(pair[1]))
+    return RobotSource(path, tip if isinstance(tip, str) else "", packages, _texts(table.get("arg"), _SIMPLE))
 
 
-def _texts(value: object) -> tuple[tuple[str, str], ...]:
-    """Return the pairs of an inline table, numbers and truth values as texts of xacro."""
+def _texts(value: object, types: tuple[type, ...] = (str,)) -> tuple[tuple[str, str], ...]:
+    """Return the pairs of an inline table whose values have certain types, as texts of xacro."""
     if not isinstance(value, dict):
         return ()
-    return tuple((name, _word(one)) for name, one in value.items() if _is_word(one))
+    return tuple((name, _word(one)) for name, one in value.items() if isinstance(one, types))
 
 
-def _is_word(value: object) -> bool:
-    return isinstance(value, str | bool | int | float)
+def _stays_inside(path: str) -> bool:
+    try:
+        check_stated(path)
+    except LeadsOutError:
+        return False
+    return True
 
 
 def _word(value: object) -> str:
@@ -114,8 +128,18 @@ class RobotLibrary:
 def _check_request(table: TomlTable) -> None:
     """Read the keys that say how a robot file is read, to note mistakes in them."""
     table.text("tip", "")
-    for name in ("package", "arg"):
+    for name, types in (("package", (str,)), ("arg", _SIMPLE)):
         inner = table.table(name)
         for key, value in inner.values.items():
-            if key in inner and not _is_word(value):
+            if key in inner and not isinstance(value, types):
                 inner.wrong_type((key,), value, "text in quotation marks")
+            elif name == "package" and key in inner:
+                _check_package(inner, key, value)
+
+
+def _check_package(inner: TomlTable, key: str, value: object) -> None:
+    """Note the folder of a package that is not in the project."""
+    try:
+        check_stated(str(value))
+    except LeadsOutError as error:
+        inner.findings.items.append(outside_project(str(value), error, inner.value_span(key)))

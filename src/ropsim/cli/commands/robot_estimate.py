@@ -31,7 +31,7 @@ def estimate(options: argparse.Namespace, output: Output) -> int:
     findings = (made,) if isinstance(made, Diagnostic) else written.losses if written else ()
     output.findings(findings, {})
     if written and written.text:
-        write_robot_file(options.file, written.text, moved)
+        write_robot_file(options.file, written.text, moved, asked)
         remark = f"wrote {options.file}, its masses or drives are estimates and reports say so"
         output.text(f"{remark}; next: ropsim new my_cell --robot {shlex.quote(options.file)}")
     is_written = bool(written and written.text)

@@ -24,7 +24,7 @@ def export(options: argparse.Namespace, output: Output) -> int:
     output.findings(reported, {})
     is_written = bool(written.text) and refused is None
     if is_written:
-        write_robot_file(file, written.text, moved)
+        write_robot_file(file, written.text, moved, asked)
         is_read = Path(file).suffix.lower() in ROBOT_FORMATS
         then = f"; next: ropsim new my_cell --robot {shlex.quote(file)}" if is_read else ""
         output.text(f"wrote {file}{then}")

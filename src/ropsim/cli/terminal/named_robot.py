@@ -1,6 +1,7 @@
 """The robot of a command: built in, or from a file whose findings are printed; and the file it becomes."""
 
 import argparse
+from errno import EEXIST
 from pathlib import Path
 
 from ropsim.cli.terminal.output import Output, cannot_write
@@ -46,21 +47,33 @@ def requested(options: argparse.Namespace, name: str) -> RobotSource:
     return RobotSource(name, options.tip, tuple(options.package), tuple(options.arg))
 
 
-def write_robot_file(file: str, text: str, moved: CarriedRobot) -> None:
+def write_robot_file(file: str, text: str, moved: CarriedRobot, asked: NamedRobot) -> None:
     """Write a robot file, and copy the meshes of the robot into its project.
 
     Args:
         file: path of the file; its folder is made.
         text: of the file.
         moved: the robot with its meshes at their new places.
+        asked: the robot as it was read; its own files are not replaced.
 
     Raises:
         RobotFileError: X847, a file cannot be written.
     """
     place = Path(file)
+    if asked.is_read_from(place):
+        raise RobotFileError(cannot_write(file, OSError(EEXIST, "the robot is read from it")))
     try:
         place.parent.mkdir(parents=True, exist_ok=True)
         moved.copy(project_of_robot(place))
+    except OSError as error:
+        raise RobotFileError(cannot_write(file, _of_mesh(error, file))) from error
+    try:
         replace_file(place, text.encode("utf-8"))
     except OSError as error:
         raise RobotFileError(cannot_write(file, error)) from error
+
+
+def _of_mesh(error: OSError, file: str) -> OSError:
+    """Return an error whose words name the mesh that could not be copied, if it is about one."""
+    named = str(error.filename or file)
+    return error if named == file else OSError(error.errno, f"its mesh `{named}`: {error.strerror or error}")

@@ -82,10 +82,19 @@ def stated_inside(folder: Path, path: str) -> Path:
         LeadsOutError: out of the folder.
         OSError: the path cannot be resolved.
     """
+    check_stated(path)
+    return place_inside(folder, path)
+
+
+def check_stated(path: str) -> None:
+    """Make sure that a path written in a file of a folder does not lead out of it, as far as its text says.
+
+    Raises:
+        LeadsOutError: it is absolute, or has a drive or `..`.
+    """
     strict = PureWindowsPath(path)  # understands both kinds of slash, and drives
     if strict.anchor or ".." in strict.parts:
         raise LeadsOutError(errno.EXDEV, "leads out of the project folder")
-    return place_inside(folder, path)
 
 
 def read_inside(folder: Path, name: str | PurePath, most: int) -> bytes:

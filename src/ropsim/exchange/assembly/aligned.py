@@ -44,18 +44,21 @@ def with_added_turns(description: Description) -> Description:
     """Return a description in which followers behind each other, about one line, are one that follows all.
 
     The turns of two joints add up where the frame of the second is that of the first and the body between
-    them carries only the second and has neither mass nor shape. Slides along one line also add up.
+    them carries only the second and has neither mass nor shape. Slides along one line also add up. A joint
+    that others follow stays: their coordinates are counted by its own.
     """
+    followed = {name for one in description.connections if one.following for name, _ in one.following.terms}
     empty = {one.name for one in description.bodies if not one.shapes and not weighs(one.weight)}
     carried = Counter(one.parent for one in description.connections)
     between = {name for name in empty if carried[name] == 1}
-    first = {one.child: one for one in description.connections if one.child in between and one.following}
+    added = [one for one in description.connections if one.following and one.name not in followed]
+    first = {one.child: one for one in added if one.child in between}
     made: list[Connection] = []
     places: dict[str, int] = {}
     gone: set[str] = set()
     for one in description.connections:
         before = first.get(one.parent)
-        if before is None or before.name not in places or not _adds(before, one):
+        if before is None or before.name not in places or one.name in followed or not _adds(before, one):
             places[one.name] = len(made)
             made.append(one)
             continue

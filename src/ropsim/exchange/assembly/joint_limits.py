@@ -6,10 +6,7 @@ from ropsim.exchange.assembly.description import Connection, Limits, Motion
 from ropsim.exchange.losses.diagnostics import BAD_NUMBER, DOUBTFUL_RANGE, ELEMENT_MISSING, LIMIT_UNKNOWN
 from ropsim.exchange.losses.gathered import Topic, shown
 from ropsim.exchange.losses.notes import Notes
-from ropsim.model import JointLimits
-
-WITHOUT_END = 400.0 * 2.0 * pi
-"""Limit of a joint that turns without end [rad]."""
+from ropsim.model import WITHOUT_END, JointLimits
 
 UNSAID = Limits(-inf, inf)
 """Limits of a joint that needs some, and whose file says none."""

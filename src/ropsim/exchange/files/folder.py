@@ -95,6 +95,11 @@ class RobotFolder:
         """Return whether a file is there, and not by a link that leads out of the open folders."""
         return self.root is None or self._file(path) is not None
 
+    def size(self, path: str) -> int:
+        """Return the bytes of a file in the folder; 0 where it is not there, or no file may be read."""
+        place = None if self.root is None else self._file(path)
+        return place.stat().st_size if place else 0
+
     def text(self, path: str) -> str | None:
         """Return the text of a file in the folder; None if it is missing, too large or not UTF-8."""
         place = self._file(path)
@@ -112,6 +117,7 @@ class RobotFolder:
         try:
             place = Path(os.path.realpath(self.root / path))
             inside = any(place.is_relative_to(os.path.realpath(self.root / one)) for one in self._open())
+            inside = inside and place.is_relative_to(os.path.realpath(self.root))  # packages may be links
             return place if inside and place.is_file() else None
         except (OSError, ValueError):
             return None

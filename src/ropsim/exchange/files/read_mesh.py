@@ -6,13 +6,19 @@ from ropsim.exchange.losses.diagnostics import MESH_MISSING
 from ropsim.exchange.losses.gathered import Topic, shown
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
 from ropsim.exchange.losses.notes import Notes
-from ropsim.model import MESH_ENDINGS, Mesh
+from ropsim.model import LARGEST_MESH, MESH_ENDINGS, Mesh
 
 _UNDRAWN = Topic(
     LOST_DESCRIPTION,
     "meshes in other formats",
     f"the meshes {{}} are not drawn: read are {', '.join(MESH_ENDINGS)}",
     "convert them to one of these",
+)
+_LARGE = Topic(
+    LOST_DESCRIPTION,
+    "large meshes",
+    f"the meshes {{}} are not drawn: they have more than {LARGEST_MESH / 1e6:.0f} MB",
+    "export them with a coarser tolerance",
 )
 _SCALED = Topic(
     LOST_DESCRIPTION,
@@ -58,5 +64,8 @@ def mesh_of(
     if not folder.has(path):
         hint = "put it there; the path counts from the folder of the robot file"
         notes.absent(MESH_MISSING, package_of(name), span, shown(name), "not there", hint)
+        return None
+    if folder.size(path) > LARGEST_MESH:
+        notes.gather(_LARGE, span, [name], f"the first one has {folder.size(path) / 1e6:.0f} MB")
         return None
     return Mesh(path, scale[0])

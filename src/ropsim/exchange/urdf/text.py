@@ -1,9 +1,8 @@
 """Elements of URDF in text form."""
 
-from ropsim.exchange.assembly.joint_limits import WITHOUT_END
 from ropsim.exchange.files.xml_text import Tag, number, numbers, tag
 from ropsim.exchange.writing.write_losses import can_write
-from ropsim.model import Box, Cylinder, Joint, JointType, Link, Mesh, Shape, Sphere
+from ropsim.model import WITHOUT_END, Box, Cylinder, Joint, JointType, Link, Mesh, Shape, Sphere
 from ropsim.spatial import Pose, roll_pitch_yaw
 
 MOMENTS = ((0, 0, "ixx"), (0, 1, "ixy"), (0, 2, "ixz"), (1, 1, "iyy"), (1, 2, "iyz"), (2, 2, "izz"))

@@ -106,6 +106,9 @@ class Polyline:
 MESH_ENDINGS = (".stl", ".obj", ".ply", ".glb", ".dae")
 """Endings of the mesh files that are drawn; `ropsim.meshes` has a reader for each."""
 
+LARGEST_MESH = 50_000_000
+"""Largest mesh file that is drawn [bytes]."""
+
 
 @frozen_dataclass
 class Mesh:

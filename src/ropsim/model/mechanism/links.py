@@ -1,6 +1,7 @@
 """Links, joints, couplings and loop cuts: the elements of a mechanism."""
 
 from enum import Enum
+from math import pi
 
 from ropsim.core import frozen_dataclass
 from ropsim.model.geometry.elements import Shape
@@ -33,6 +34,10 @@ BASE_LINK = -1
 
 PREVIOUS = -2
 """Parent of a joint that hangs on the link of the joint before it in the list, the first one on the base."""
+
+
+WITHOUT_END = 400.0 * 2.0 * pi
+"""Limit of a joint that turns without end [rad]; no program comes near to it."""
 
 
 class JointType(Enum):

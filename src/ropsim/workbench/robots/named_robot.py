@@ -45,6 +45,14 @@ class NamedRobot:
             return Path(file.absolute().anchor)
         return project_of_robot(file)
 
+    def is_read_from(self, place: Path) -> bool:
+        """Return whether a path leads to the file of the robot, or to one that this includes."""
+        used = (Path(self.text.name), *(self.read.files if self.read else ())) if self.text else ()
+        try:
+            return place.exists() and any(one.exists() and place.samefile(one) for one in used)
+        except OSError:  # links that go round
+            return False
+
     @property
     def place_of(self) -> PlaceOf:
         """Return where the numbers of the robot stand in its file."""

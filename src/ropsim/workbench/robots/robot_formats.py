@@ -112,6 +112,9 @@ WRITERS: Mapping[str, RobotFormat] = MappingProxyType(
 )
 """Formats for writing, by the ending; not every one can be read."""
 
+MESHES_FROM_FILE = tuple(ending for ending, one in _FORMATS.items() if one.package == _EXCHANGE)
+"""Endings of the formats in which paths of meshes count from the folder of the file, not of the project."""
+
 STEP_ENDINGS = tuple(ending for ending, one in _FORMATS.items() if one is _NIROX)
 STEP_WRITERS: Mapping[StepForm, RobotFormat] = MappingProxyType(
     {StepForm.NIROX: _NIROX, StepForm.AP242: _AP242}

@@ -182,7 +182,7 @@ def test_a_package_that_comes_later_is_found(tmp_path: Path) -> None:
         ('tip = "hnd"', "X985", "did you mean `hand`"),
         ("arg = { reach = [1] }", "X804", "`robot.arg.reach`"),
         ('arg = "reach"', "X804", "a section"),
-        ('package = { arm_resources = "../away" }', "X992", "links.xacro"),
+        ('package = { arm_resources = "../away" }', "U962", "`../away`"),
         ('tips = "hand"', "X802", "did you mean `tip`"),
     ],
 )
