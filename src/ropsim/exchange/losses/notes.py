@@ -105,7 +105,7 @@ def _place(one: Diagnostic, files: list[str]) -> tuple[int, int, int]:
 
 def _absence(kind: Kind, folder: str, absent: _Absent) -> Diagnostic:
     """Return the finding of the meshes of one folder."""
-    first, count = next(iter(absent.names)), len(absent.names)
+    first, count = shown(next(iter(absent.names))), len(absent.names)
     of = f" of `{folder}`" if folder else ""
     message = f"the mesh `{first}` is {absent.why}"
     if count > 1:
