@@ -23,11 +23,6 @@ _READ = {"link", "joint", "material"}
 _OTHERS = Topic(
     LOST_DESCRIPTION, "elements for other programs", "elements {} for other programs do not go over"
 )
-_COLLISION = Topic(
-    LOST_DESCRIPTION,
-    "collision geometry",
-    "the collision geometry of links {} does not go over: drawn is the visual one",
-)
 
 
 def read_urdf(source: SourceText, options: ReadOptions = STANDARD) -> ReadRobot:
@@ -90,6 +85,3 @@ def _losses(root: Element, notes: Notes) -> None:
     others = [one for one in root.children if one.name not in _READ]
     if others:
         notes.gather(_OTHERS, others[0].span, (one.name for one in others))
-    both = [one for one in root.all("link") if one.first("visual") and one.first("collision")]
-    if both:
-        notes.gather(_COLLISION, both[0].span, (one.attributes.get("name", "") for one in both))

@@ -10,6 +10,7 @@ from ropsim.exchange.assembly.aligned import aligned, displaced, with_added_turn
 from ropsim.exchange.assembly.bodies import Carried, carried_names, links_of, weight_findings
 from ropsim.exchange.assembly.cut_ranges import note_cut_ranges
 from ropsim.exchange.assembly.description import Connection, Description, Motion
+from ropsim.exchange.assembly.hulls import without_hulls
 from ropsim.exchange.assembly.joint_limits import limits_of, unknown_limits, unknown_names
 from ropsim.exchange.assembly.kept_joints import KeptJoints, kept_joints
 from ropsim.exchange.assembly.link_tree import LinkTree, link_tree
@@ -69,7 +70,7 @@ def _robot(
     placed = _placed(tree, kept)
     moved = [one for one in tree.order if one.name in kept.numbers]
     joints = tuple(_joint(one, placed) for one in moved)
-    links, base_shapes = links_of(description.bodies, placed, len(joints))
+    links, base_shapes = links_of(without_hulls(description, tree, notes), placed, len(joints))
     driven = _in_order([one for one in moved if one.following is None], description.axes)
     axes = tuple(kept.numbers[one.name] for one in driven)
     carrier, X_CT = placed[tip]

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 
 from ropsim.core import frozen_dataclass
 from ropsim.exchange.assembly.description import Description
-from ropsim.exchange.assembly.ends import axes_before, ends_of
+from ropsim.exchange.assembly.ends import axes_before, ends_of, last_carrier
 from ropsim.exchange.assembly.link_tree import LinkTree
 from ropsim.exchange.losses.diagnostics import TIP_UNCLEAR, UNKNOWN_ENTITY
 from ropsim.exchange.losses.gathered import listed
@@ -59,9 +59,9 @@ def tip_of(description: Description, tree: LinkTree, wanted: str | None, notes: 
     usual = _usual(known, tree)
     if len(usual) == 1:
         return ChosenTip(Tip(usual[0], "its name is usual"), *known[usual[0]])
-    ends = ends_of(tree)
+    ends = ends_of(tree, {one.name: one for one in description.bodies})
     if usual or len(ends) > 1:
-        _unclear(description, usual or [one.body for one in ends], notes)
+        _unclear(description, usual or _with_carrier([one.body for one in ends], tree), notes)
         return None
     end = ends[0]
     reason = "axes behind it move fingers" if end.is_hand else "it is the end with most axes before it"
@@ -82,6 +82,17 @@ def _usual(known: _Known, tree: LinkTree) -> list[str]:
             most = max((axes[name] for name in found), default=0)
             return exact or [name for name in found if axes[name] == most]
     return []
+
+
+def _with_carrier(ends: list[str], tree: LinkTree) -> list[str]:
+    """Return ends behind the last link that carries all of them, if more axes are before it than behind.
+
+    So the palm of a hand is offered, and the torso of two arms is not.
+    """
+    carrier = last_carrier(ends, tree)
+    before = axes_before(tree, carrier)
+    behind = max(axes_before(tree, one) for one in ends) - before
+    return [carrier, *ends] if carrier not in ends and before > behind else ends
 
 
 def _unclear(description: Description, ends: Sequence[str], notes: Notes) -> None:
