@@ -1,6 +1,5 @@
 """Door for tests: names behind the front of the package. Production code does not import it."""
 
-from ropsim.exchange.assembly.joint_limits import WITHOUT_END as WITHOUT_END
 from ropsim.exchange.files.packages import MOST_DEPTH as MOST_DEPTH
 from ropsim.exchange.files.packages import MOST_FOLDERS as MOST_FOLDERS
 from ropsim.exchange.files.read_mesh import mesh_of as mesh_of

@@ -130,6 +130,7 @@ from ropsim.model.mechanism.joint_tree import joint_tree as joint_tree
 from ropsim.model.mechanism.links import ALL_DIRECTIONS as ALL_DIRECTIONS
 from ropsim.model.mechanism.links import BASE_LINK as BASE_LINK
 from ropsim.model.mechanism.links import PREVIOUS as PREVIOUS
+from ropsim.model.mechanism.links import WITHOUT_END as WITHOUT_END
 from ropsim.model.mechanism.links import Coupling as Coupling
 from ropsim.model.mechanism.links import Direction as Direction
 from ropsim.model.mechanism.links import Joint as Joint

@@ -9,9 +9,8 @@ import pytest
 
 from ropsim.core import SourceText
 from ropsim.exchange import ReadOptions, RobotFolder, read_urdf
-from ropsim.exchange.testing import WITHOUT_END
 from ropsim.kinematics import forward
-from ropsim.model import Box, Cylinder, Mesh, RobotModel, Sphere
+from ropsim.model import WITHOUT_END, Box, Cylinder, Mesh, RobotModel, Sphere
 from support.urdf_texts import ARM
 
 EXACT = 1e-15

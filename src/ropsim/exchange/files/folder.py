@@ -124,7 +124,7 @@ class RobotFolder:
 
 
 def without_file_scheme(name: str) -> str:
-    """Return a name without `file://`, which also stands before `package://`: by `file:///$(find package)`."""
+    """Return a name without `file://`, which may stand before `package://`, as in `file:///$(find arm)`."""
     path = name.removeprefix(_FILE)
     inner = path.lstrip("/")
     return inner if inner.startswith(SCHEMES) else path

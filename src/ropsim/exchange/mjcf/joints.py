@@ -7,7 +7,7 @@ from math import inf
 import numpy as np
 
 from ropsim.exchange.assembly.description import Connection, Limits, Motion, Resistance
-from ropsim.exchange.assembly.joint_limits import UNSAID, WITHOUT_END
+from ropsim.exchange.assembly.joint_limits import UNSAID
 from ropsim.exchange.files.values import direction_of, number_of, numbers_of
 from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.diagnostics import BAD_NUMBER, JOINT_IMPOSSIBLE
@@ -15,6 +15,7 @@ from ropsim.exchange.losses.gathered import Topic, shown
 from ropsim.exchange.losses.loss_diagnostics import LOST_MOTION
 from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.mjcf.settings import Settings
+from ropsim.model import WITHOUT_END
 from ropsim.spatial import Pose
 
 _FREE = Limits(-WITHOUT_END, WITHOUT_END)

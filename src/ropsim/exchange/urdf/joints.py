@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from ropsim.exchange.assembly.description import Connection, Following, Limits, Motion, Resistance
-from ropsim.exchange.assembly.joint_limits import UNSAID, WITHOUT_END
+from ropsim.exchange.assembly.joint_limits import UNSAID
 from ropsim.exchange.files.values import direction_of, name_of, number_of
 from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.losses.diagnostics import BAD_NUMBER, ELEMENT_MISSING, JOINT_IMPOSSIBLE
@@ -11,6 +11,7 @@ from ropsim.exchange.losses.gathered import Topic, shown
 from ropsim.exchange.losses.loss_diagnostics import LOST_DRIVE
 from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.urdf.poses import origin_of
+from ropsim.model import WITHOUT_END
 
 MOTIONS = {
     "revolute": Motion.TURN,

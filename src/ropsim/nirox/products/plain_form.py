@@ -5,9 +5,8 @@ from math import inf
 
 import numpy as np
 
-from ropsim.model import Joint, JointType, Link, RobotModel, coordinates
+from ropsim.model import WITHOUT_END, Joint, JointType, Link, RobotModel, coordinates
 from ropsim.nirox.orientations import columns_of, columns_of_pose, moved_frame, placed_frame, quaternion_of
-from ropsim.nirox.readers.joints import WITHOUT_END
 from ropsim.spatial import Array, Pose, frozen
 
 FLANGE = "flange"

@@ -3,13 +3,11 @@
 from dataclasses import replace
 from math import inf, isclose, pi
 
-from ropsim.model import Joint, JointType
+from ropsim.model import WITHOUT_END, Joint, JointType
 from ropsim.nirox.diagnostics import ESTIMATED, IMPOSSIBLE
 from ropsim.nirox.readers.mechanism import Mechanism, Moved
 from ropsim.nirox.readers.seen import Seen
 
-WITHOUT_END = 400.0 * 2.0 * pi
-"""Limit of an axis that turns without end [rad]."""
 _SPEEDS = {JointType.REVOLUTE: pi, JointType.PRISMATIC: 0.5}  # [rad/s | m/s]
 _TO_SPEED = 0.25  # [s] until the greatest speed is reached with the greatest acceleration
 _TO_ACCELERATION = 0.1  # [s] until that is reached with the greatest jerk
