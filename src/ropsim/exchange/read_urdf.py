@@ -15,6 +15,7 @@ from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.urdf.joints import connection_of, lost_of
 from ropsim.exchange.urdf.links import body_of
 from ropsim.exchange.urdf.shapes import materials_of
+from ropsim.exchange.xacro.callers import macros_of, note_macros
 from ropsim.exchange.xacro.expansion import expanded, refuse_arguments, uses_xacro
 from ropsim.model import Payload, ReadRobot
 
@@ -39,6 +40,9 @@ def read_urdf(source: SourceText, options: ReadOptions = STANDARD) -> ReadRobot:
     root = read_xml(source, notes)
     if root and uses_xacro(root):
         whole = expanded(root, options, notes)
+        if whole and not whole.first("link") and macros_of(root):
+            note_macros(root, options.folder, notes)
+            whole = None
     else:
         whole = root
         refuse_arguments(options, source, notes)

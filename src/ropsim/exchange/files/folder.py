@@ -98,6 +98,16 @@ class RobotFolder:
         """Return whether a file is there, and not by a link that leads out of the open folders."""
         return self.root is None or self._file(path) is not None
 
+    def names_beside(self, ending: str) -> tuple[str, ...]:
+        """Return the names of the files beside the robot file with an ending, in order."""
+        if self.root is None:
+            return ()
+        try:
+            with os.scandir(self.root / self.beside) as entries:
+                return tuple(sorted(one.name for one in entries if one.name.lower().endswith(ending)))
+        except OSError:
+            return ()
+
     def text(self, path: str) -> str | None:
         """Return the text of a file in the folder; None if it is missing, too large or not UTF-8."""
         place = self._file(path)
