@@ -9,7 +9,7 @@ from ropsim.exchange.assembly.link_tree import LinkTree
 from ropsim.exchange.losses.diagnostics import TIP_UNCLEAR, UNKNOWN_ENTITY
 from ropsim.exchange.losses.gathered import listed
 from ropsim.exchange.losses.notes import Notes
-from ropsim.model import Tip
+from ropsim.model import REQUEST, Tip
 from ropsim.spatial import Pose
 
 USUAL_TIPS = (
@@ -53,7 +53,8 @@ def tip_of(description: Description, tree: LinkTree, wanted: str | None, notes: 
     known = dict(description.frames) | {one.name: (one.name, Pose()) for one in description.bodies}
     if wanted is not None:
         if wanted not in known:
-            notes.unknown(UNKNOWN_ENTITY, description.span, "the tip is to be", wanted, known)
+            asked = {REQUEST: ("tip",)}
+            notes.unknown(UNKNOWN_ENTITY, description.span, "the tip is to be", wanted, known, asked)
             return None
         return ChosenTip(Tip(wanted, "as requested"), *known[wanted])
     usual = _usual(known, tree)
@@ -98,4 +99,4 @@ def _with_carrier(ends: list[str], tree: LinkTree) -> list[str]:
 def _unclear(description: Description, ends: Sequence[str], notes: Notes) -> None:
     words = f"{len(ends)} links can carry the tool: {listed(ends)}"
     hint = f'choose one: `--tip {ends[0]}`, or in a cell file `tip = "{ends[0]}"`'
-    notes.add(TIP_UNCLEAR, description.span, words, hint, {"ends": tuple(ends)})
+    notes.add(TIP_UNCLEAR, description.span, words, hint, {"ends": tuple(ends), REQUEST: ("tip",)})
