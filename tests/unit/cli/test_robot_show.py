@@ -99,3 +99,17 @@ def test_a_missing_mass_is_said_of_joints_and_not_where_it_is_estimated(
     assert "`ropsim robot estimate`" in said
     main(["robot", "estimate", str(tmp_path / "arm.stp"), str(tmp_path / "whole.stp"), "--class", "cobot"])
     assert "X972" not in capsys.readouterr().err
+
+
+def test_a_report_says_that_a_joint_is_endless_and_not_how_far_its_end_is(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "arm.urdf").write_text(ENDLESS, "utf-8")
+    assert main(["new", str(tmp_path / "cell"), "--robot", str(tmp_path / "arm.urdf")]) == 0
+    capsys.readouterr()
+    assert main(["run", str(tmp_path / "cell")]) == 0
+    rows = [line.split() for line in capsys.readouterr().out.splitlines()]
+    (turn,) = (row for row in rows if row[:1] == ["turn"])
+    (bend,) = (row for row in rows if row[:1] == ["bend"])
+    assert "endless" in turn
+    assert "endless" not in bend
