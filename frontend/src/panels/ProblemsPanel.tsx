@@ -46,7 +46,7 @@ export function ProblemsPanel({ api }: IDockviewPanelProps) {
 
 function ProblemRow({ group }: { group: ProblemGroup }) {
   const studio = useStudio()
-  const { document, line, severity, code, message, hint, time, follows } = group.first
+  const { document, file, line, severity, code, message, hint, time, follows } = group.first
   const count = group.all.length
   const act = () => {
     const chosen = nextOf(group, studio.cursor.time)
@@ -57,7 +57,7 @@ function ProblemRow({ group }: { group: ProblemGroup }) {
     if (chosen.place) studio.picture.stage?.frame([...chosen.place])
   }
   const when = time === null ? '' : count > 1 ? words.firstTime(time) : words.time(time)
-  const place = [document, line > 0 ? words.at(line) : '', when]
+  const place = [document || file, line > 0 ? words.at(line) : '', when]
   return (
     <li>
       <button

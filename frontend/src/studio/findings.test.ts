@@ -1,8 +1,8 @@
 import { expect, test } from 'vitest'
-import type { Run, RunEvent } from '../run/run'
+import type { Finding, Run, RunEvent } from '../run/run'
 import { documentOfSource } from './document_names'
 import { nearestPass, passesOf } from './passes'
-import { mergeProblems, type Problem } from './problems'
+import { mergeProblems, type Problem, problemOf } from './problems'
 
 const PROBLEM: Problem = {
   document: 'programs/main.task',
@@ -14,6 +14,15 @@ const PROBLEM: Problem = {
   code: 'M502',
   message: 'too fast',
   hint: '',
+  time: null,
+}
+
+const FINDING: Finding = {
+  code: 'X993',
+  severity: 'warning',
+  message: 'joints stand still',
+  hint: '',
+  span: null,
   time: null,
 }
 
@@ -30,6 +39,15 @@ test('what two sources say of one place is listed once', () => {
     ['compile', [{ ...PROBLEM, hint: 'slower' }]],
   ])
   expect(mergeProblems(sources)).toEqual([PROBLEM])
+})
+
+test('a finding in a file that is no document has the name of the file', () => {
+  const span = { source: '/cells/one/robots/arm.urdf', line: 104, column: 3, end_line: 104, end_column: 9 }
+  const finding = { ...FINDING, span }
+  expect(problemOf(finding, () => '')).toMatchObject({ document: '', file: 'arm.urdf', line: 104 })
+  expect(problemOf(finding, () => 'cell.toml').file).toBeUndefined()
+  const other = problemOf({ ...finding, span: { ...span, source: 'robots/hand.urdf' } }, () => '')
+  expect(mergeProblems(new Map([['scene', [problemOf(finding, () => ''), other]]]))).toHaveLength(2)
 })
 
 test('findings at two times are two', () => {

@@ -6,6 +6,8 @@ export type Severity = Finding['severity']
 export interface Problem {
   /** Name of the document, empty where the finding belongs to none. */
   readonly document: string
+  /** Name of the file that it is in, where that is no document, such as a robot file; else absent. */
+  readonly file?: string
   /** From 1; 0 where the finding has no place. */
   readonly line: number
   readonly column: number
@@ -28,8 +30,10 @@ const RANK: Readonly<Record<Severity, number>> = { error: 0, warning: 1, info: 2
 /** The finding as a problem; its source is a document of the project or none. */
 export function problemOf(finding: Finding, documentOf: (source: string) => string): Problem {
   const { span } = finding
+  const document = span ? documentOf(span.source) : ''
   return {
-    document: span ? documentOf(span.source) : '',
+    document,
+    ...(span && !document ? { file: span.source.split(/[\\/]/).at(-1) ?? '' } : {}),
     line: span?.line ?? 0,
     column: span?.column ?? 0,
     endLine: span?.end_line ?? 0,
@@ -52,7 +56,8 @@ export function mergeProblems(sources: ReadonlyMap<string, readonly Problem[]>):
   const merged: Problem[] = []
   for (const problems of sources.values()) {
     for (const problem of problems) {
-      const key = [problem.document, problem.line, problem.column, problem.code, problem.time].join('|')
+      const { document, file, line, column, code, time } = problem
+      const key = [document, file, line, column, code, time].join('|')
       const bare = problem.line === 0 ? `${key}|${problem.message}` : key
       if (seen.has(bare)) continue
       seen.add(bare)

@@ -2,6 +2,7 @@
 
 from ropsim.exchange.files.folder import ReadOptions as ReadOptions
 from ropsim.exchange.files.folder import RobotFolder as RobotFolder
+from ropsim.exchange.files.packages import Packages as Packages
 from ropsim.exchange.files.surroundings import around_file as around_file
 from ropsim.exchange.files.surroundings import in_project as in_project
 from ropsim.exchange.losses.diagnostics import DOUBTFUL_BODY as DOUBTFUL_BODY

@@ -16,6 +16,7 @@ from ropsim.exchange.urdf.attributes import check_attributes
 from ropsim.exchange.urdf.joints import connection_of, lost_of
 from ropsim.exchange.urdf.links import body_of
 from ropsim.exchange.urdf.shapes import materials_of
+from ropsim.exchange.xacro.callers import macros_of, note_macros
 from ropsim.exchange.xacro.expansion import expanded, refuse_arguments, uses_xacro
 from ropsim.model import Payload, ReadRobot
 
@@ -23,11 +24,6 @@ _WORLD = "world"
 _READ = {"link", "joint", "material"}
 _OTHERS = Topic(
     LOST_DESCRIPTION, "elements for other programs", "elements {} for other programs do not go over"
-)
-_COLLISION = Topic(
-    LOST_DESCRIPTION,
-    "collision geometry",
-    "the collision geometry of links {} does not go over: drawn is the visual one",
 )
 
 
@@ -45,6 +41,9 @@ def read_urdf(source: SourceText, options: ReadOptions = STANDARD) -> ReadRobot:
     root = read_xml(source, notes)
     if root and uses_xacro(root):
         whole = expanded(root, options, notes)
+        if whole and not whole.first("link") and macros_of(root):
+            note_macros(root, options.folder, notes)
+            whole = None
     else:
         whole = root
         refuse_arguments(options, source, notes)
@@ -92,6 +91,3 @@ def _losses(root: Element, notes: Notes) -> None:
     others = [one for one in root.children if one.name not in _READ]
     if others:
         notes.gather(_OTHERS, others[0].span, (one.name for one in others))
-    both = [one for one in root.all("link") if one.first("visual") and one.first("collision")]
-    if both:
-        notes.gather(_COLLISION, both[0].span, (one.attributes.get("name", "") for one in both))

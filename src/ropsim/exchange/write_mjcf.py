@@ -11,7 +11,6 @@ from ropsim.exchange.losses.loss_diagnostics import LOST_MOTION
 from ropsim.exchange.mjcf.custom import axis_limits
 from ropsim.exchange.mjcf.cuts import HeldPoint, held_points, lost_cuts
 from ropsim.exchange.mjcf.text import assets, geoms, inertial, mesh_names, placed
-from ropsim.exchange.urdf.text import endless
 from ropsim.exchange.writing.motion_losses import limit_losses
 from ropsim.exchange.writing.write_losses import (
     drive_losses,
@@ -58,7 +57,7 @@ class _Writer:
     def _joint(self, one: WrittenJoint) -> Tag:
         kind = "slide" if one.type is JointType.PRISMATIC else "hinge"
         rows = [("name", one.name), ("type", kind), ("axis", "0 0 1")]
-        if one.own and not endless(one.joint):
+        if one.own and not one.joint.is_endless:
             rows.append(("range", numbers((one.joint.lower, one.joint.upper))))
         if one.axis is not None and self.robot.drives:
             drive = self.robot.drives[one.axis]

@@ -7,7 +7,6 @@ from ropsim.exchange.files.names import BASE, FLANGE, unused
 from ropsim.exchange.files.xml_text import Tag, number, tag, value, xml_text
 from ropsim.exchange.losses.loss_diagnostics import LOST_DRIVE
 from ropsim.exchange.sdf.text import inertial, pose, visuals
-from ropsim.exchange.urdf.text import endless
 from ropsim.exchange.writing.motion_losses import axis_losses, limit_losses
 from ropsim.exchange.writing.write_losses import (
     drive_losses,
@@ -62,7 +61,7 @@ def _joint(robot: RobotModel, tree: WrittenTree, one: WrittenJoint) -> Tag:
 
 def _limit(one: WrittenJoint) -> Tag:
     joint = one.joint
-    bounded = one.own and not endless(joint)
+    bounded = one.own and not joint.is_endless
     lower, upper = (joint.lower, joint.upper) if bounded else (-WITHOUT_END, WITHOUT_END)
     rows = [value("lower", number(lower)), value("upper", number(upper))]
     if joint.max_effort < float("inf"):

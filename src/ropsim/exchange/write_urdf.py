@@ -6,7 +6,7 @@ from dataclasses import replace
 from ropsim.core import Diagnostic
 from ropsim.exchange.files.names import BASE, FLANGE, unused
 from ropsim.exchange.files.xml_text import Tag, number, tag, xml_text
-from ropsim.exchange.urdf.text import endless, inertial, limit, origin, visuals
+from ropsim.exchange.urdf.text import inertial, limit, origin, visuals
 from ropsim.exchange.writing.motion_losses import axis_losses, limit_losses
 from ropsim.exchange.writing.write_losses import (
     drive_losses,
@@ -54,7 +54,7 @@ def _joint(robot: RobotModel, tree: WrittenTree, one: WrittenJoint) -> Tag:
     if one.type is JointType.FIXED:
         return _fixed(one.name, tree.parent(one), one.child, origin(one.placement))
     joint = one.joint if one.own else replace(one.joint, lower=-WITHOUT_END, upper=WITHOUT_END)
-    turns = "continuous" if endless(joint) else "revolute"
+    turns = "continuous" if joint.is_endless else "revolute"
     kind = "prismatic" if one.type is JointType.PRISMATIC else turns
     parts = [
         *origin(one.placement),

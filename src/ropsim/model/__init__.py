@@ -175,6 +175,7 @@ from ropsim.model.robots.dh import interface_from_dh as interface_from_dh
 from ropsim.model.robots.dh import joints_from_dh as joints_from_dh
 from ropsim.model.robots.dh import limited as limited
 from ropsim.model.robots.dh import links_from_dh as links_from_dh
+from ropsim.model.robots.files import REQUEST as REQUEST
 from ropsim.model.robots.files import ReadRobot as ReadRobot
 from ropsim.model.robots.files import RobotSource as RobotSource
 from ropsim.model.robots.files import Tip as Tip

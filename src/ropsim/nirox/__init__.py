@@ -3,6 +3,7 @@
 from ropsim.nirox.building import FurtherFrame as FurtherFrame
 from ropsim.nirox.further_data import FurtherData as FurtherData
 from ropsim.nirox.products.plain_writing import write_mechanism as write_mechanism
+from ropsim.nirox.reading import WITHOUT_MASS as WITHOUT_MASS
 from ropsim.nirox.reading import ReadNirox as ReadNirox
 from ropsim.nirox.reading import nirox_places as nirox_places
 from ropsim.nirox.reading import read_nirox as read_nirox

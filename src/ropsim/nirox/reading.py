@@ -1,6 +1,7 @@
 """A NIROX file to a robot."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
 from ropsim.express import validate
@@ -17,10 +18,13 @@ from ropsim.nirox.readers.seen import Seen
 from ropsim.nirox.schema_text import NAME, ConformanceClass, conformance_of, nirox_schema
 from ropsim.part21 import ExchangeFile, read_exchange
 
+_MASSLESS = "`moving_links_have_mass.doubt1`"
 _OF_PLAIN = (
     "`robot_arm.doubt1`",
-    "`moving_links_have_mass.doubt1`",
+    _MASSLESS,
 )  # X957 reports it in other words, or it is never needed
+WITHOUT_MASS = "joints of links without mass"
+"""Key of the data of a finding that names them."""
 _NAMED = 6  # entities that a message names
 _WITHOUT_EFFECT = (
     "joint_friction", "drive_train", "motor_select", "transmission", "servo_valve", "hydraulic_supply",
@@ -70,6 +74,7 @@ def read_nirox(source: SourceText) -> ReadNirox:
     if made is None:
         return ReadNirox(None, found_here)
     robot, frames = made
+    found_here = tuple(_with_links(one, robot) if _MASSLESS in one.message else one for one in found_here)
     further = further_data_of(seen, robot, frames)
     return ReadNirox(
         robot, (*found_here, *_kept(seen, further)), conformance=conformance_of(robot), further=further
@@ -98,6 +103,20 @@ def nirox_places(source: SourceText) -> PlaceOf:
     seen = Seen(nirox_schema(), (_with_arm(file) or (file,))[0])
     made = _robot(seen, source.name)
     return places_of(seen, made[0].axes) if made else nowhere
+
+
+def _with_links(finding: Diagnostic, robot: RobotModel) -> Diagnostic:
+    """Return the finding of the rule on masses with the links that have none."""
+    names = [
+        joint.name
+        for joint, link in zip(robot.joints, robot.links, strict=True)
+        if not link.mass and not link.inertia.any()
+    ]
+    shown = ", ".join(f"`{one[:60]}`" for one in names[:_NAMED])
+    more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
+    message = f"the links that joints {shown}{more} move have no mass"
+    hint = "the arm moves as it is commanded; `ropsim robot estimate` gives it estimated masses"
+    return replace(finding, message=message, hint=hint, data={WITHOUT_MASS: tuple(names)})
 
 
 def _with_arm(file: ExchangeFile) -> tuple[ExchangeFile, tuple[Diagnostic, ...]] | None:

@@ -24,6 +24,7 @@ from ropsim.views.picture.part_picture import part_print as part_print
 from ropsim.views.picture.png import png_words as png_words
 from ropsim.views.picture.robot_picture import PictureOptions as PictureOptions
 from ropsim.views.picture.robot_picture import bodies_png as bodies_png
+from ropsim.views.picture.robot_picture import has_no_shapes as has_no_shapes
 from ropsim.views.picture.robot_picture import picture_print as picture_print
 from ropsim.views.picture.robot_picture import robot_png as robot_png
 from ropsim.views.reach.door import workspace_page as workspace_page

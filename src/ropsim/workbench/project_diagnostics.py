@@ -135,12 +135,13 @@ REQUEST_UNUSED = define(
     "X922",
     "robot-request-unused",
     Severity.ERROR,
-    "a tip, package or argument for a robot that takes none",
+    "a tip, package or argument for a robot that takes none, or not that one",
     """
 `--tip`, `--package` and `--arg`, and the keys `tip`, `package` and `arg` of a cell file, are for robots in
 URDF, xacro and MJCF: such a file does not say which link carries the tool, names other packages, or has
 arguments. Built-in robots, NIROX (`.stp`) and robot files (`.toml`) name their mechanical interface and need
-no other file.
+no other file. A package is given under the name by which the robot file asks for it, as
+`package://NAME/meshes/a.stl` or `$(find NAME)`; one that no file asks for is misspelt.
 """,
     Category.USAGE,
 )

@@ -322,3 +322,26 @@ def test_texts_are_cut_joined_and_counted() -> None:
         read_urdf(SourceText("words.xacro", SPELLINGS), ReadOptions(arguments={"side": "right"}))
     )
     assert [one.name for one in other.joints] == ["BASE_1", "RIGH_2"]
+
+
+@pytest.mark.parametrize(
+    ("callers", "hint"),
+    [
+        ([], "open the file that calls them"),
+        (["main.xacro"], "open `main.xacro`, which calls them"),
+        (["a.xacro", "macro.xacro"], "open `macro.xacro`, `a.xacro`, which call them"),
+    ],
+)
+def test_a_file_that_only_defines_macros_names_them_and_who_calls_them(
+    folder: Path, callers: list[str], hint: str
+) -> None:
+    urdf = folder / "packages" / "urdf"
+    for name in callers:
+        (urdf / name).write_text(MAIN, "utf-8")
+    (urdf / "other.xacro").write_text('<robot name="a" xmlns:xacro="http://wiki.ros.org/xacro"/>', "utf-8")
+    options = ReadOptions(folder=RobotFolder(folder, {}, "packages/urdf"))
+    (found,) = read_urdf(SourceText("packages/urdf/macros.xacro", MACROS), options).findings
+    assert found.code == "X982"
+    assert "the file only defines macros, `" in found.message
+    assert "`arm`" in found.message
+    assert found.hint == hint

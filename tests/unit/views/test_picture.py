@@ -1,12 +1,14 @@
 """Pictures of robots: what is nearest is seen, all of the arm is in them, and they say of what they are."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from ropsim import robots
-from ropsim.model import Box, Cylinder, Prism, Shape, Sphere
+from ropsim.model import Box, Cylinder, Mesh, Prism, Shape, Sphere
 from ropsim.spatial import Pose
-from ropsim.views import PictureOptions, picture_print, png_words, robot_png
+from ropsim.views import PictureOptions, has_no_shapes, picture_print, png_words, robot_png
 from ropsim.views.testing import DepthBuffer, facets
 from support.png import read_png
 
@@ -55,3 +57,14 @@ def test_another_state_of_a_model_has_another_print() -> None:
     prints = {picture_print(robots.load(name)) for name in ("gp7", "gp25", "two_link")}
     assert len(prints) == 3
     assert picture_print(robots.load("gp7"), SMALL) not in prints
+
+
+def test_an_arm_without_shapes_or_with_meshes_alone_is_drawn_by_its_axes() -> None:
+    whole = robots.load("ur5e")
+    links = tuple(replace(link, shapes=()) for link in whole.links)
+    bare = replace(whole, base_shapes=(), links=links)
+    meshes = replace(bare, base_shapes=(Shape(Mesh("meshes/base.stl")),))
+    assert [has_no_shapes(one) for one in (whole, bare, meshes)] == [False, True, True]
+    from_axes, from_meshes = (read_png(robot_png(one, SMALL)) for one in (bare, meshes))
+    np.testing.assert_array_equal(from_axes, from_meshes)
+    assert np.count_nonzero(from_axes.max(axis=2)) > 60  # of 3600 points: an arm, not its shadow alone

@@ -9,11 +9,12 @@ from ropsim.core import (
     LeadsOutError,
     RopsimError,
     SourceText,
+    Span,
     check_stated,
     frozen_dataclass,
     outside_project,
 )
-from ropsim.model import ReadRobot, RobotModel, RobotSource
+from ropsim.model import REQUEST, ReadRobot, RobotModel, RobotSource
 from ropsim.tomltext import Question, Sort, TomlTable, document_values
 
 NO_FILES: Mapping[RobotSource, ReadRobot] = {}
@@ -107,7 +108,7 @@ class RobotLibrary:
         if source is not None and is_foreign_file(name):
             _check_request(table)
         if source is not None and source in self.files:
-            self._note_unplaced(self.files[source], table, key)
+            self._note_here(self.files[source], table, key)
             return self.files[source].robot
         try:
             return robots.load(name)
@@ -117,12 +118,34 @@ class RobotLibrary:
 
     def placed_findings(self) -> tuple[Diagnostic, ...]:
         """Return the findings in the files, at places in them."""
-        return tuple(one for read in self.files.values() for one in read.findings if one.span is not None)
+        return tuple(
+            one
+            for read in self.files.values()
+            for one in read.findings
+            if one.span is not None and REQUEST not in one.data
+        )
 
-    def _note_unplaced(self, read: ReadRobot, table: TomlTable, key: str) -> None:
-        """Note at the value of a key why its file could not be read."""
-        span = table.value_span(key)
-        table.findings.items.extend(replace(one, span=span) for one in read.findings if one.span is None)
+    def _note_here(self, read: ReadRobot, table: TomlTable, key: str) -> None:
+        """Note mistakes in requests at their keys, and at the value of a key why its file is not read."""
+        for one in read.findings:
+            if REQUEST in one.data:
+                path = one.data[REQUEST]
+                table.findings.items.append(
+                    replace(one, span=_request_span(path, table, key), label=f"in `{table.values[key]}`")
+                )
+            elif one.span is None:
+                table.findings.items.append(replace(one, span=table.value_span(key)))
+
+
+def _request_span(path: object, table: TomlTable, key: str) -> Span:
+    """Return where the key of a request stands; the value of the robot where it is not there."""
+    steps = path if isinstance(path, tuple) else ()
+    values: object = table.values
+    for step in steps:
+        if not isinstance(values, dict) or step not in values:
+            return table.value_span(key)
+        values = values[step]
+    return table.findings.places.key((*table.path, *steps)) if steps else table.value_span(key)
 
 
 def _check_request(table: TomlTable) -> None:

@@ -4,6 +4,7 @@ import argparse
 import math
 import textwrap
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -120,13 +121,14 @@ def show(options: argparse.Namespace, output: Output) -> int:
 
 def _draw(robot: RobotModel, file: str, output: Output) -> None:
     """Write a picture of a robot in its rest position."""
-    from ropsim.views import robot_png
+    from ropsim.views import has_no_shapes, robot_png
 
     try:
         replace_file(Path(file), robot_png(robot))
     except OSError as error:
         raise RobotFileError(cannot_write(file, error)) from error
-    output.text(f"\nwrote {file}")
+    remark = ": axes and rods, as pictures show no meshes and it has no other shapes"
+    output.text(f"\nwrote {file}{remark if has_no_shapes(robot) else ''}")
 
 
 def audit(options: argparse.Namespace, output: Output) -> int:
@@ -193,6 +195,8 @@ def _following(robot: RobotModel) -> list[str]:
 
 def _range(joint: Joint, lower: float, upper: float) -> str:
     scale, unit = display(joint.measure)
+    if replace(joint, lower=lower, upper=upper).is_endless:
+        return "endless"
     return f"{lower * scale:.1f} {unit} to {upper * scale:.1f} {unit}"
 
 
@@ -212,8 +216,8 @@ def _joint_rows(robot: RobotModel) -> list[str]:
             (
                 joint.name,
                 joint.type.value,
-                f"{joint.lower * scale:.1f} {unit}",
-                f"{joint.upper * scale:.1f} {unit}",
+                "endless" if joint.is_endless else f"{joint.lower * scale:.1f} {unit}",
+                "endless" if joint.is_endless else f"{joint.upper * scale:.1f} {unit}",
                 f"{joint.max_speed * scale:.1f} {unit}/s",
                 f"{joint.max_acceleration * scale:.0f} {unit}/s²",
                 _effort(joint),

@@ -15,9 +15,16 @@ from ropsim.robotfile import ArmFacts, estimated_dynamics
 from ropsim.workbench import carried, written_robot
 
 
+def _is_mended(finding: Diagnostic) -> bool:
+    """Return whether a finding says that masses are missing, which are estimated here."""
+    from ropsim.nirox import WITHOUT_MASS
+
+    return WITHOUT_MASS in finding.data
+
+
 def estimate(options: argparse.Namespace, output: Output) -> int:
     """Write a robot with missing masses and drives estimated."""
-    asked = asked_robot(options, output)
+    asked = asked_robot(options, output, _is_mended)
     if asked.robot is None:
         return 1
     moved = carried(asked.robot, asked.mesh_root, Path(options.file))

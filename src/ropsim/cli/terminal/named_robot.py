@@ -1,11 +1,12 @@
 """The robot of a command: built in, or from a file whose findings are printed; and the file it becomes."""
 
 import argparse
+from collections.abc import Callable
 from errno import EEXIST
 from pathlib import Path
 
 from ropsim.cli.terminal.output import Output, cannot_write
-from ropsim.core import replace_file
+from ropsim.core import Diagnostic, replace_file
 from ropsim.model import RobotModel, RobotSource
 from ropsim.records import diagnostic_document
 from ropsim.workbench import CarriedRobot, NamedRobot, RobotFileError, find_robot, project_of_robot
@@ -21,11 +22,24 @@ def named_robot(options: argparse.Namespace, output: Output) -> RobotModel | Non
     return asked_robot(options, output).robot
 
 
-def asked_robot(options: argparse.Namespace, output: Output) -> NamedRobot:
-    """Return the robot of the argument `name` with its other data; raises as `named_robot` does."""
+def _nothing(_finding: Diagnostic) -> bool:
+    return False
+
+
+def asked_robot(
+    options: argparse.Namespace, output: Output, is_mended: Callable[[Diagnostic], bool] = _nothing
+) -> NamedRobot:
+    """Return the robot of the argument `name` with its other data; raises as `named_robot` does.
+
+    Args:
+        options: with the name, tip, packages and arguments.
+        output: to which findings are printed.
+        is_mended: whether the command mends what a finding says, so that it is not printed.
+    """
     found = find_robot(requested(options, options.name))
     say_tip(found, output)
-    output.findings(found.findings, {found.text.name: found.text} if found.text else {})
+    findings = tuple(one for one in found.findings if not is_mended(one))
+    output.findings(findings, {found.text.name: found.text} if found.text else {})
     if found.robot is None:
         output.document({"ok": False, **diagnostic_document(found.findings)})
     return found

@@ -27,12 +27,14 @@ class Body:
         weight: mass, centre of mass and inertia about that, in the frame of the body.
         shapes: geometry, in the frame of the body.
         span: where it stands.
+        is_collision: whether the file gives it collision geometry, and no looks.
     """
 
     name: str
     weight: Payload
     shapes: tuple[Shape, ...]
     span: Span
+    is_collision: bool = False
 
 
 @frozen_dataclass

@@ -6,7 +6,7 @@ from ropsim.exchange.assembly.description import Connection, Limits, Motion
 from ropsim.exchange.losses.diagnostics import BAD_NUMBER, DOUBTFUL_RANGE, ELEMENT_MISSING, LIMIT_UNKNOWN
 from ropsim.exchange.losses.gathered import Topic, shown
 from ropsim.exchange.losses.notes import Notes
-from ropsim.model import WITHOUT_END, JointLimits
+from ropsim.model import WITHOUT_END, JointLimits, OriginKind
 
 UNSAID = Limits(-inf, inf)
 """Limits of a joint that needs some, and whose file says none."""
@@ -72,6 +72,16 @@ def limits_of(one: Connection) -> JointLimits:
 def unknown_names(joints: list[Connection]) -> dict[str, tuple[str, ...]]:
     """Return the joints that lack a limit in a file for which there is an estimate, by the missing limit."""
     return {topic.what: names for topic, names in _lacking(joints) if names and topic is not _EFFORT}
+
+
+def endless_names(joints: list[Connection]) -> dict[OriginKind, tuple[str, ...]]:
+    """Return the joints that turn without end: as the file says, and where it says no limits that differ."""
+    found: dict[OriginKind, tuple[str, ...]] = {OriginKind.DERIVED: (), OriginKind.ESTIMATED: ()}
+    for one in joints:
+        if limits_of(one).lower <= -WITHOUT_END:
+            is_said = one.limits.lower == -WITHOUT_END
+            found[OriginKind.DERIVED if is_said else OriginKind.ESTIMATED] += (one.name,)
+    return found
 
 
 def _lacking(joints: list[Connection]) -> tuple[tuple[Topic, tuple[str, ...]], ...]:

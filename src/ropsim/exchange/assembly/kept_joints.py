@@ -9,6 +9,7 @@ from ropsim.exchange.losses.diagnostics import BROKEN_TREE, JOINT_IMPOSSIBLE, UN
 from ropsim.exchange.losses.gathered import Topic, listed
 from ropsim.exchange.losses.loss_diagnostics import LOST_MOTION
 from ropsim.exchange.losses.notes import Notes
+from ropsim.model import REQUEST
 
 _RESTING = Topic(
     LOST_MOTION,
@@ -53,6 +54,7 @@ def kept_joints(tree: LinkTree, tip: str, span: Span, notes: Notes) -> KeptJoint
             span,
             f"no joint moves `{tip}`, the tip of the robot",
             "name another tip, or describe a joint that turns or slides",
+            {REQUEST: ("tip",)},
         )
         return None
     _followed(moving, kept)

@@ -10,7 +10,8 @@ from ropsim.exchange.assembly.aligned import aligned, displaced, with_added_turn
 from ropsim.exchange.assembly.bodies import Carried, carried_names, links_of, weight_findings
 from ropsim.exchange.assembly.cut_ranges import note_cut_ranges
 from ropsim.exchange.assembly.description import Connection, Description, Motion
-from ropsim.exchange.assembly.joint_limits import limits_of, unknown_limits, unknown_names
+from ropsim.exchange.assembly.hulls import without_hulls
+from ropsim.exchange.assembly.joint_limits import endless_names, limits_of, unknown_limits, unknown_names
 from ropsim.exchange.assembly.kept_joints import KeptJoints, kept_joints
 from ropsim.exchange.assembly.link_tree import LinkTree, link_tree
 from ropsim.exchange.assembly.tip import ChosenTip, tip_of
@@ -37,6 +38,7 @@ from ropsim.model import (
 )
 from ropsim.spatial import Array, Pose, frozen
 
+_ENDLESS = {OriginKind.DERIVED: "endless in", OriginKind.ESTIMATED: "not in"}
 _TYPES = {Motion.TURN: JointType.REVOLUTE, Motion.SLIDE: JointType.PRISMATIC}
 
 
@@ -70,7 +72,7 @@ def _robot(
     placed = _placed(tree, kept)
     moved = [one for one in tree.order if one.name in kept.numbers]
     joints = tuple(_joint(one, placed) for one in moved)
-    links, base_shapes = links_of(description.bodies, placed, len(joints))
+    links, base_shapes = links_of(without_hulls(description, tree, notes), placed, len(joints))
     driven = _in_order([one for one in moved if one.following is None], description.axes)
     axes = tuple(kept.numbers[one.name] for one in driven)
     carrier, X_CT = placed[tip]
@@ -184,6 +186,10 @@ def _origins(source: SourceText, driven: list[Connection]) -> tuple[ParameterOri
     """Return the origins of the numbers: the file, and estimates for missing ones."""
     name = PurePath(source.name).name  # without folders, which are of one computer
     found = [ParameterOrigin("geometry, masses and limits", OriginKind.DERIVED, f"read from {name}")]
+    for kind, names in endless_names(driven).items():
+        if names:
+            words = f"{_ENDLESS[kind]} {name}, they turn without end: joints {', '.join(names)}"
+            found.append(ParameterOrigin("no position limits", kind, words))
     for what, names in unknown_names(driven).items():
         found.append(ParameterOrigin(what, OriginKind.ESTIMATED, f"not in {name}: joints {', '.join(names)}"))
     return tuple(found)

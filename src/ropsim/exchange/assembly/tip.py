@@ -4,12 +4,12 @@ from collections.abc import Mapping, Sequence
 
 from ropsim.core import frozen_dataclass
 from ropsim.exchange.assembly.description import Description
-from ropsim.exchange.assembly.ends import axes_before, ends_of
+from ropsim.exchange.assembly.ends import axes_before, ends_of, last_carrier
 from ropsim.exchange.assembly.link_tree import LinkTree
 from ropsim.exchange.losses.diagnostics import TIP_UNCLEAR, UNKNOWN_ENTITY
 from ropsim.exchange.losses.gathered import listed
 from ropsim.exchange.losses.notes import Notes
-from ropsim.model import Tip
+from ropsim.model import REQUEST, Tip
 from ropsim.spatial import Pose
 
 USUAL_TIPS = (
@@ -53,15 +53,16 @@ def tip_of(description: Description, tree: LinkTree, wanted: str | None, notes: 
     known = dict(description.frames) | {one.name: (one.name, Pose()) for one in description.bodies}
     if wanted is not None:
         if wanted not in known:
-            notes.unknown(UNKNOWN_ENTITY, description.span, "the tip is to be", wanted, known)
+            asked = {REQUEST: ("tip",)}
+            notes.unknown(UNKNOWN_ENTITY, description.span, "the tip is to be", wanted, known, asked)
             return None
         return ChosenTip(Tip(wanted, "as requested"), *known[wanted])
     usual = _usual(known, tree)
     if len(usual) == 1:
         return ChosenTip(Tip(usual[0], "its name is usual"), *known[usual[0]])
-    ends = ends_of(tree)
+    ends = ends_of(tree, {one.name: one for one in description.bodies})
     if usual or len(ends) > 1:
-        _unclear(description, usual or [one.body for one in ends], notes)
+        _unclear(description, usual or _with_carrier([one.body for one in ends], tree), notes)
         return None
     end = ends[0]
     reason = "axes behind it move fingers" if end.is_hand else "it is the end with most axes before it"
@@ -84,7 +85,18 @@ def _usual(known: _Known, tree: LinkTree) -> list[str]:
     return []
 
 
+def _with_carrier(ends: list[str], tree: LinkTree) -> list[str]:
+    """Return ends behind the last link that carries all of them, if more axes are before it than behind.
+
+    So the palm of a hand is offered, and the torso of two arms is not.
+    """
+    carrier = last_carrier(ends, tree)
+    before = axes_before(tree, carrier)
+    behind = max(axes_before(tree, one) for one in ends) - before
+    return [carrier, *ends] if carrier not in ends and before > behind else ends
+
+
 def _unclear(description: Description, ends: Sequence[str], notes: Notes) -> None:
     words = f"{len(ends)} links can carry the tool: {listed(ends)}"
     hint = f'choose one: `--tip {ends[0]}`, or in a cell file `tip = "{ends[0]}"`'
-    notes.add(TIP_UNCLEAR, description.span, words, hint, {"ends": tuple(ends)})
+    notes.add(TIP_UNCLEAR, description.span, words, hint, {"ends": tuple(ends), REQUEST: ("tip",)})

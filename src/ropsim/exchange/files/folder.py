@@ -12,6 +12,7 @@ from ropsim.exchange.files.packages import Packages
 NO_PACKAGES: Mapping[str, str] = MappingProxyType({})
 SCHEMES = ("package://", "model://")
 """Beginnings of names that count from the folder of a package."""
+_FILE = "file://"
 _LARGEST = 20_000_000  # bytes of an included file
 
 
@@ -39,11 +40,12 @@ class RobotFolder:
         """Return the path of a named file from the root on; nothing where it is outside of it.
 
         Args:
-            name: `package://package/path`, `file://path`, or a path relative to the file that names it.
+            name: `package://package/path`, `file://path`, `file:///package://package/path`, or a path
+                relative to the file that names it.
             beside: folder of the file that names it; None for that of the robot file.
         """
         start = self.beside if beside is None else beside
-        name = name.removeprefix("file://").replace("\\", "/")
+        name = without_file_scheme(name).replace("\\", "/")
         for scheme in SCHEMES:
             if name.startswith(scheme):
                 package, _, name = name[len(scheme) :].partition("/")
@@ -66,6 +68,7 @@ class RobotFolder:
 
     def absence(self, name: str) -> tuple[str, str]:
         """Return why a named file has no path, a clause behind `is` or `are`, and the next action."""
+        name = without_file_scheme(name)
         for scheme in SCHEMES:
             package = name.removeprefix(scheme).partition("/")[0]
             if name.startswith(scheme) and package not in self.packages:
@@ -100,6 +103,16 @@ class RobotFolder:
         place = None if self.root is None else self._file(path)
         return place.stat().st_size if place else 0
 
+    def names_beside(self, ending: str) -> tuple[str, ...]:
+        """Return the names of the files beside the robot file with an ending, in order."""
+        if self.root is None:
+            return ()
+        try:
+            with os.scandir(self.root / self.beside) as entries:
+                return tuple(sorted(one.name for one in entries if one.name.lower().endswith(ending)))
+        except OSError:
+            return ()
+
     def text(self, path: str) -> str | None:
         """Return the text of a file in the folder; None if it is missing, too large or not UTF-8."""
         place = self._file(path)
@@ -124,6 +137,13 @@ class RobotFolder:
 
     def _open(self) -> tuple[str, ...]:
         return (*self.open, *self.packages.values())
+
+
+def without_file_scheme(name: str) -> str:
+    """Return a name without `file://`, which may stand before `package://`, as in `file:///$(find arm)`."""
+    path = name.removeprefix(_FILE)
+    inner = path.lstrip("/")
+    return inner if inner.startswith(SCHEMES) else path
 
 
 def _normal(path: str) -> str | None:

@@ -40,6 +40,7 @@ class Packages(Mapping[str, str]):
         self._root, self._given = root, dict(given)
         self._above = list(_above(start, top))
         self._found: dict[str, str | None] = {}
+        self._asked: dict[str, None] = {}
         self._manifests: dict[str, Path] = {}
         self._visited: list[Path] = []
         self._levels = 0
@@ -56,6 +57,12 @@ class Packages(Mapping[str, str]):
             raise KeyError(name)
         return found
 
+    def __contains__(self, name: object) -> bool:
+        """Return whether there is a package, which counts as requested then."""
+        if isinstance(name, str):
+            self._asked.setdefault(name)
+        return super().__contains__(name)
+
     def __iter__(self) -> Iterator[str]:
         """Return the names of the packages that were requested and found."""
         return iter((*self._given, *(name for name, place in self._found.items() if place is not None)))
@@ -63,6 +70,16 @@ class Packages(Mapping[str, str]):
     def __len__(self) -> int:
         """Return how many packages were requested and found."""
         return sum(1 for _ in self)
+
+    @property
+    def asked(self) -> tuple[str, ...]:
+        """Return the names of the packages that were requested, found or not, in order."""
+        return tuple(self._asked)
+
+    @property
+    def unasked(self) -> tuple[str, ...]:
+        """Return the names of the given packages that were not requested."""
+        return tuple(name for name in self._given if name not in self._asked)
 
     @property
     def searched(self) -> tuple[Path, ...]:

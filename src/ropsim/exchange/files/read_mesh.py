@@ -1,7 +1,7 @@
 """Meshes that a robot file names: paths inside of the project folder, in a format that is drawn."""
 
 from ropsim.core import Span
-from ropsim.exchange.files.folder import SCHEMES, RobotFolder
+from ropsim.exchange.files.folder import SCHEMES, RobotFolder, without_file_scheme
 from ropsim.exchange.losses.diagnostics import MESH_MISSING
 from ropsim.exchange.losses.gathered import Topic, shown
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
@@ -30,6 +30,7 @@ _SCALED = Topic(
 
 def package_of(name: str) -> str:
     """Return the package of a mesh as a robot file names it, otherwise its folder; bounded in length."""
+    name = without_file_scheme(name)
     for scheme in SCHEMES:
         if name.startswith(scheme):
             return shown(scheme + name.removeprefix(scheme).partition("/")[0])
@@ -50,7 +51,7 @@ def mesh_of(
     """
     path = folder.path(name)
     if path is None:
-        notes.absent(MESH_MISSING, package_of(name), span, shown(name), *folder.absence(name))
+        notes.absent(MESH_MISSING, package_of(name), span, name, *folder.absence(name))
         return None
     if not folder.has(path):
         path = folder.path(name, beside="") or path  # counted from the folder of the project
@@ -63,7 +64,7 @@ def mesh_of(
         return None
     if not folder.has(path):
         hint = "put it there; the path counts from the folder of the robot file"
-        notes.absent(MESH_MISSING, package_of(name), span, shown(name), "not there", hint)
+        notes.absent(MESH_MISSING, package_of(name), span, name, "not there", hint)
         return None
     if folder.size(path) > LARGEST_MESH:
         notes.gather(_LARGE, span, [name], f"the first one has {folder.size(path) / 1e6:.0f} MB")

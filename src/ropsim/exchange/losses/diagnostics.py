@@ -117,7 +117,9 @@ TIP_UNCLEAR = define(
     """
 An arm is the chain from the base to its tip, the link with the mechanical interface. Where a file
 branches, as at a gripper or in a robot with two arms, the tip is the link that is named `tool0`,
-`flange` or so; else the end behind the most joints. Where two ends are alike in that, name the tip.
+`flange` or so; else the end behind the most joints. Of several links that are fixed behind the last joint
+it is the one that is called `ee`, `hand`, `link8` or so, else an empty frame at a distance; cameras, sensors
+and collision geometry are none. Where two are alike in that, name the tip.
 """,
 )
 

@@ -42,7 +42,9 @@ What stands in no place of the other side: names of links and of frames that are
 geometry beside what is drawn, textures, sensors, transmissions and other elements for other programs; and
 from the model cones, bodies of revolution, outlines and lines, the title, where numbers come from, and the
 home position. What is fixed to a link becomes a part of it, with its weight and its shape. A robot without
-visual geometry is drawn by its collision geometry. All of it is one finding, with a note on each loss.
+visual geometry is drawn by its collision geometry; a link with collision geometry alone that is fixed at
+the origin of a link that is drawn is left out, as makers describe volumes for self-collision so. All of it
+is one finding, with a note on each loss.
 """,
 )
 

@@ -1,12 +1,14 @@
 """Findings of a reader so far, in the order of the file."""
 
 from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 
 from ropsim.core import Diagnostic, Kind, Severity, Span, frozen_dataclass, near
 from ropsim.exchange.losses.gathered import Gathered, Topic, shown
 
 MOST_NOTES = 100
 """Numbers of errors and of other findings that are kept: files with more are not mended one by one."""
+_NOTHING: Mapping[str, object] = MappingProxyType({})
 _LONGEST = 400  # characters of a message: names are as long as their file has them
 
 
@@ -90,11 +92,19 @@ class Notes:
         one = self._absent.setdefault((kind, folder), _Absent(span, why, hint, {}))
         one.names.setdefault(mesh)
 
-    def unknown(self, kind: Kind, span: Span | None, what: str, name: str, known: Iterable[str]) -> None:
+    def unknown(
+        self,
+        kind: Kind,
+        span: Span | None,
+        what: str,
+        name: str,
+        known: Iterable[str],
+        data: Mapping[str, object] = _NOTHING,
+    ) -> None:
         """Note a name that stands for nothing, with the names that look like it."""
         close = near(name, known) if self._counts[kind.severity] < MOST_NOTES else ()
         hint = f"did you mean `{close[0]}`?" if close else "allowed are the names that the file defines"
-        self.add(kind, span, f"{what} `{shown(name)}`, which does not exist", hint, {"near": close})
+        self.add(kind, span, f"{what} `{shown(name)}`, which does not exist", hint, {"near": close, **data})
 
 
 def _place(one: Diagnostic, files: list[str]) -> tuple[int, int, int]:
@@ -105,7 +115,7 @@ def _place(one: Diagnostic, files: list[str]) -> tuple[int, int, int]:
 
 def _absence(kind: Kind, folder: str, absent: _Absent) -> Diagnostic:
     """Return the finding of the meshes of one folder."""
-    first, count = next(iter(absent.names)), len(absent.names)
+    first, count = shown(next(iter(absent.names))), len(absent.names)
     of = f" of `{folder}`" if folder else ""
     message = f"the mesh `{first}` is {absent.why}"
     if count > 1:

@@ -22,7 +22,9 @@ def body_of(link: Element, materials: Mapping[str, Colour], folder: RobotFolder,
     name = name_of(link, notes)
     if name is None:
         return None
-    return Body(name, _weight(link, notes), shapes_of(link, materials, folder, notes), link.span)
+    is_collision = link.first("visual") is None and link.first("collision") is not None
+    shapes = shapes_of(link, materials, folder, notes)
+    return Body(name, _weight(link, notes), shapes, link.span, is_collision)
 
 
 def _weight(link: Element, notes: Notes) -> Payload:

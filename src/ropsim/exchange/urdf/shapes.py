@@ -17,6 +17,11 @@ _MEASURES = {"box": ("size",), "cylinder": ("radius", "length"), "sphere": ("rad
 _TEXTURE = Topic(
     LOST_DESCRIPTION, "textures", "the textures of materials {} are not drawn", "give the materials a colour"
 )
+_COLLISION = Topic(
+    LOST_DESCRIPTION,
+    "collision geometry",
+    "the collision geometry of links {} does not go over: drawn is the visual one",
+)
 _UNDRAWN = Topic(
     LOST_DESCRIPTION,
     "other geometry",
@@ -61,7 +66,11 @@ def shapes_of(
     Many files show meshes in formats that are not drawn, and collide by simpler ones that are.
     """
     seen = _drawn(link.all("visual"), materials, folder, notes)
-    return seen or _drawn(link.all("collision"), materials, folder, notes)
+    if not seen:
+        return _drawn(link.all("collision"), materials, folder, notes)
+    if link.first("collision") is not None:
+        notes.gather(_COLLISION, link.span, [link.attributes.get("name", "")])
+    return seen
 
 
 def _drawn(

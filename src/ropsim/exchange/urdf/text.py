@@ -2,7 +2,7 @@
 
 from ropsim.exchange.files.xml_text import Tag, number, numbers, tag
 from ropsim.exchange.writing.write_losses import can_write
-from ropsim.model import WITHOUT_END, Box, Cylinder, Joint, JointType, Link, Mesh, Shape, Sphere
+from ropsim.model import Box, Cylinder, Joint, Link, Mesh, Shape, Sphere
 from ropsim.spatial import Pose, roll_pitch_yaw
 
 MOMENTS = ((0, 0, "ixx"), (0, 1, "ixy"), (0, 2, "ixz"), (1, 1, "iyy"), (1, 2, "iyz"), (2, 2, "izz"))
@@ -65,7 +65,7 @@ def _material(shape: Shape) -> Tag:
 def limit(joint: Joint) -> Tag:
     """Return the `limit` of a joint; acceleration and jerk as in version 1.2, 0 for an unknown effort."""
     effort = joint.max_effort if joint.max_effort < float("inf") else 0.0
-    ends = [] if endless(joint) else [("lower", number(joint.lower)), ("upper", number(joint.upper))]
+    ends = [] if joint.is_endless else [("lower", number(joint.lower)), ("upper", number(joint.upper))]
     return tag(
         "limit",
         [
@@ -76,9 +76,3 @@ def limit(joint: Joint) -> Tag:
             ("jerk", number(joint.max_jerk)),
         ],
     )
-
-
-def endless(joint: Joint) -> bool:
-    """Return whether a joint turns without end."""
-    turns = joint.type is JointType.REVOLUTE
-    return turns and joint.lower <= -WITHOUT_END and joint.upper >= WITHOUT_END

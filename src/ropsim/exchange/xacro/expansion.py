@@ -13,6 +13,7 @@ from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.xacro.calls import Calls
 from ropsim.exchange.xacro.formulas.values import XacroError, literal, truth, unquoted
 from ropsim.exchange.xacro.scope import IncludedScope, Scope
+from ropsim.model import REQUEST
 
 PREFIX = "xacro:"
 
@@ -29,7 +30,7 @@ def expanded(root: Element, options: ReadOptions, notes: Notes) -> Element | Non
         return expansion.file(root)
     except _PlacedError as error:
         if not notes.fatal:
-            notes.add(XACRO, error.span, error.message, error.hint)
+            notes.add(XACRO, error.span, error.message, error.hint, error.data)
         return None
 
 
@@ -37,13 +38,14 @@ def refuse_arguments(options: ReadOptions, source: SourceText, notes: Notes) -> 
     """Note that arguments are given for a file that is no xacro file: they would have no effect."""
     if options.arguments:
         words = f"the file takes no arguments, given are {listed(options.arguments)}"
-        notes.add(XACRO, source.span(1), words, "leave `--arg` out, in a cell file `arg`")
+        asked = {REQUEST: ("arg",)}
+        notes.add(XACRO, source.span(1), words, "leave `--arg` out, in a cell file `arg`", asked)
 
 
 class _PlacedError(Exception):
-    def __init__(self, span: Span, message: str, hint: str) -> None:
+    def __init__(self, span: Span, message: str, hint: str, data: Mapping[str, object] | None = None) -> None:
         super().__init__(message)
-        self.span, self.message, self.hint = span, message, hint
+        self.span, self.message, self.hint, self.data = span, message, hint, data
 
 
 class _Expansion(Calls):
@@ -83,7 +85,8 @@ class _Expansion(Calls):
                 close = near(name, self._asked, limit=1)
                 known = listed(sorted(self._asked)) or "none"
                 hint = f"did you mean `{close[0]}`?" if close else f"arguments of the file: {known}"
-                raise _PlacedError(span, f"the file has no argument `{shown(name)}`", hint)
+                words = f"the file has no argument `{shown(name)}`"
+                raise _PlacedError(span, words, hint, {REQUEST: ("arg", name)})
 
     def _elements(self, elements: tuple[Element, ...], scope: Scope, depth: int) -> list[Element]:
         """Return the expansion of elements."""

@@ -137,14 +137,11 @@ class Texts:
         if path is None:
             why, hint = self._folder.absence(name)
             return XacroError(f"the file `{shown(name)}` is {why}", hint)
-        unknown = [one for one in self._given if one not in self._asked]
-        if unknown:
-            close = near(unknown[0], self._asked, limit=1)
-            hint = f"the file has no argument `{shown(unknown[0])}`"
-            return XacroError(
-                f"the file `{shown(name)}` is not there",
-                f"{hint}, did you mean `{close[0]}`?" if close else hint,
-            )
+        for one in self._given:  # others may be arguments of the rest of the file
+            close = near(one, self._asked, limit=1) if one not in self._asked else ()
+            if close:
+                hint = f"the file has no argument `{shown(one)}`, did you mean `{close[0]}`?"
+                return XacroError(f"the file `{shown(name)}` is not there", hint)
         values = listed(f"{one}={value}" for one, value in self._arguments.items())
         hint = f"does an argument need another value? They are {values}: `--arg NAME=VALUE`" if values else ""
         return XacroError(f"the file `{shown(name)}` is not there", hint or "look at its name")

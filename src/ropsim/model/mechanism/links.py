@@ -38,6 +38,7 @@ PREVIOUS = -2
 
 WITHOUT_END = 400.0 * 2.0 * pi
 """Limit of a joint that turns without end [rad]; no program comes near to it."""
+_ROUNDING = 1e-9  # relative, of limits that were written in degrees
 
 
 class JointType(Enum):
@@ -114,6 +115,12 @@ class Joint:
         """Return whether its first coordinate is an angle (REVOLUTE) or a length (PRISMATIC)."""
         slides = self.type in (JointType.PRISMATIC, JointType.PLANAR)
         return JointType.PRISMATIC if slides else JointType.REVOLUTE
+
+    @property
+    def is_endless(self) -> bool:
+        """Return whether it turns without end."""
+        least = (1.0 - _ROUNDING) * WITHOUT_END
+        return self.type is JointType.REVOLUTE and self.lower <= -least and self.upper >= least
 
 
 @frozen_dataclass

@@ -23,6 +23,11 @@ class RobotSource:
     arguments: tuple[tuple[str, str], ...] = ()
 
 
+REQUEST = "request"
+"""Key of the data of a finding on what is requested of a robot file: the path of the key of the request in a
+cell file, such as `("arg", "hand")`; the finding then stands there, not in the robot file."""
+
+
 @frozen_dataclass
 class Tip:
     """The link of a robot file that carries the tool.

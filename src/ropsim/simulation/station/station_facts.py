@@ -41,8 +41,8 @@ def _axes(robot: RobotModel) -> tuple[AxisFacts, ...]:
         AxisFacts(
             joint.name,
             _TYPES[joint.measure],
-            float(joint.lower),
-            float(joint.upper),
+            -np.inf if joint.is_endless else float(joint.lower),
+            np.inf if joint.is_endless else float(joint.upper),
             float(joint.max_speed),
             float(joint.max_effort),
             float(current),

@@ -1,6 +1,7 @@
 """A robot in its rest position as a picture: parallel light and view, a shadow on the floor, edges dark."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from math import cos, radians, sin
 from typing import TypeAlias
 
@@ -14,6 +15,7 @@ from ropsim.spatial import Array, fingerprint
 from ropsim.views.picture.depth_buffer import DepthBuffer
 from ropsim.views.picture.facets import facets
 from ropsim.views.picture.png import png_bytes
+from ropsim.views.scene.arm import base_shapes, link_shapes
 
 DRAWING = "1"
 """Changes whenever the same robot is drawn in another way."""
@@ -58,9 +60,26 @@ def picture_print(robot: RobotModel, options: PictureOptions = DEFAULT) -> str:
 
 
 def robot_png(robot: RobotModel, options: PictureOptions = DEFAULT) -> bytes:
-    """Return a picture of a robot as a PNG file, on a transparent ground."""
+    """Return a picture of a robot as a PNG file, on a transparent ground.
+
+    A robot whose shapes have no triangles is drawn by hubs at its joints and rods between them.
+    """
     words = {"Title": robot.name, "Source": picture_print(robot, options)}
-    return bodies_png(_bodies(robot), words, options)
+    return bodies_png(_bodies(_axes(robot) if has_no_shapes(robot) else robot), words, options)
+
+
+def has_no_shapes(robot: RobotModel) -> bool:
+    """Return whether a robot has no shape with triangles: none at all, or meshes, which are other files."""
+    return not any(len(facets(shape)) for _, shapes in _bodies(robot) for shape in shapes)
+
+
+def _axes(robot: RobotModel) -> RobotModel:
+    """Return a robot whose shapes are hubs and rods."""
+    bare = replace(robot, base_shapes=(), links=tuple(replace(link, shapes=()) for link in robot.links))
+    links = tuple(
+        replace(link, shapes=link_shapes(bare, number)) for number, link in enumerate(bare.links, start=1)
+    )
+    return replace(bare, base_shapes=base_shapes(bare), links=links)
 
 
 def bodies_png(

@@ -173,6 +173,8 @@ def _limit_cell(share: float, closeness: Closeness) -> TableCell:
 
 
 def _margin_cell(text: str, joint: JointSummary) -> TableCell:
+    if math.isinf(joint.facts.lower) and math.isinf(joint.facts.upper):
+        return TableCell("endless")
     if not math.isfinite(joint.nearest.margin):
         return TableCell(text.split(maxsplit=1)[0])
     closeness = joint.margin_closeness

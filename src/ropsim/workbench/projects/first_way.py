@@ -42,7 +42,12 @@ class FirstWay:
 
 
 def first_way(robot: RobotModel, X_MT: Pose) -> FirstWay:
-    """Return where a robot can go.
+    """Return where a robot can go; see `first_ways`."""
+    return next(first_ways(robot, X_MT))
+
+
+def first_ways(robot: RobotModel, X_MT: Pose) -> Iterator[FirstWay]:
+    """Yield where a robot can go, the best way first and the way without corners last.
 
     Args:
         robot: any arm.
@@ -50,15 +55,15 @@ def first_way(robot: RobotModel, X_MT: Pose) -> FirstWay:
     """
     starts = sorted(_starts(robot, X_MT), key=lambda one: -one[0])
     length = _length(robot, X_MT)
+    known = kinematics.solver_of(robot).method is Method.CLOSED_FORM
     for corners_of in (_square, _pair):
         for share in SHARES:
             side = max(round(share * length / _GRID), 1) * _GRID
-            found = ((corners_of(robot, X_MT, q, X_BT, side), q) for _, q, X_BT in starts)
-            corners, q = next((one for one in found if one[0]), ((), robot.home))
-            if corners:
-                known = kinematics.solver_of(robot).method is Method.CLOSED_FORM
-                return FirstWay(corners, () if known else (frozen(q),))
-    return turning(robot)
+            for _, q, X_BT in starts:
+                corners = corners_of(robot, X_MT, q, X_BT, side)
+                if corners:
+                    yield FirstWay(corners, () if known else (frozen(q),))
+    yield turning(robot)
 
 
 def turning(robot: RobotModel) -> FirstWay:

@@ -1,20 +1,29 @@
 """A new project for a robot: its cell, and a first program that has been run without dynamics."""
 
+from itertools import islice
 from pathlib import Path
 
 from ropsim.cellfile import POINTER, is_foreign_file, new_cell, written_coordinates
-from ropsim.core import read_bytes
+from ropsim.core import Diagnostic, read_bytes
 from ropsim.flow import Fidelity
 from ropsim.model import Mesh, RobotModel, RobotSource, Shape
 from ropsim.robots import swings
 from ropsim.simulation import RunOptions
-from ropsim.workbench.projects.first_way import FirstWay, first_way, turning
+from ropsim.workbench.projects.first_way import FirstWay, first_ways, turning
 from ropsim.workbench.projects.opening import open_project
 from ropsim.workbench.robots.carried_meshes import carried, plain_name
 from ropsim.workbench.robots.named_robot import NamedRobot, RobotFileError, find_robot, written_robot
 
 _HEAD = "program {name}\nunits mm, deg, s\n\n"
 _CAREFUL = "# The arm swings: faster, its joints would go beyond their limits.\nset speed 70 %\n\n"
+
+
+_MEETING = """\
+# Every way that was tried has a collision of the arm with itself, this one: {}.
+# Bodies count as convex, so that meshes with hollows can meet where the arm does not.
+
+"""
+_MOST_WAYS = 8
 
 
 def fill_robot_project(folder: Path, name: str, source: RobotSource) -> None:
@@ -39,13 +48,27 @@ def fill_robot_project(folder: Path, name: str, source: RobotSource) -> None:
         take = _imported if is_foreign_file(source.path) else _copied
         named = take(folder, Path(source.path), found, model)
     (folder / "programs").mkdir(parents=True)
-    for way in (first_way(model, POINTER), turning(model)):
-        cell = new_cell(name, named, way.corners)
-        (folder / "cell.toml").write_text(cell, "utf-8")
-        program = _HEAD.format(name=name) + (_CAREFUL if swings(model) else "") + _statements(model, way)
-        (folder / "programs" / "main.task").write_text(program, "utf-8")
-        if open_project(folder).simulate(options=RunOptions(Fidelity.KINEMATIC)).ok:
+    head = _HEAD.format(name=name) + (_CAREFUL if swings(model) else "")
+    meeting: tuple[FirstWay, Diagnostic] | None = None
+    for way in (*islice(first_ways(model, POINTER), _MOST_WAYS), turning(model)):
+        _write_way(folder, new_cell(name, named, way.corners), head + _statements(model, way))
+        project = open_project(folder)
+        recording = project.simulate(options=RunOptions(Fidelity.KINEMATIC))
+        if not recording.ok:
+            continue
+        collision = next((one for one in project.collisions(recording).findings if one.is_error), None)
+        if collision is None:
             return
+        meeting = meeting or (way, collision)
+    if meeting is not None:
+        way, collision = meeting
+        remark = _MEETING.format(collision.message.partition(", line")[0])
+        _write_way(folder, new_cell(name, named, way.corners), head + remark + _statements(model, way))
+
+
+def _write_way(folder: Path, cell: str, program: str) -> None:
+    (folder / "cell.toml").write_text(cell, "utf-8")
+    (folder / "programs" / "main.task").write_text(program, "utf-8")
 
 
 def _imported(folder: Path, file: Path, found: NamedRobot, model: RobotModel) -> str:

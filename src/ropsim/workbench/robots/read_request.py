@@ -1,10 +1,11 @@
 """What is requested of a robot file besides its text: tip, arguments, and the files around it."""
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ropsim.core import Diagnostic, frozen_dataclass
-from ropsim.model import RobotSource
+from ropsim.core import Diagnostic, frozen_dataclass, near
+from ropsim.model import REQUEST, RobotSource
 from ropsim.workbench.project_diagnostics import REQUEST_UNUSED
 
 if TYPE_CHECKING:  # it is loaded when the first file of its formats is met
@@ -48,8 +49,31 @@ class ReadRequest:
         return ReadOptions(source.tip or None, folder, dict(source.arguments))
 
 
+_NAMED = 6  # packages that a hint names
 TEXT_ALONE = ReadRequest(None)
 """The recognised tip, and no files around."""
+
+
+def unasked_packages(name: str, packages: Mapping[str, str]) -> tuple[Diagnostic, ...]:
+    """Return findings on packages that are given and that no file of a robot asks for.
+
+    Args:
+        name: of the robot file.
+        packages: around it, after it was read.
+    """
+    from ropsim.exchange import Packages
+
+    if not isinstance(packages, Packages):
+        return ()
+    found = []
+    for one in packages.unasked:
+        message = f"`{name[:200]}` asks for no package `{one[:60]}`"
+        close = near(one, packages.asked, limit=1)
+        asked = ", ".join(f"`{other[:60]}`" for other in packages.asked[:_NAMED]) or "none"
+        hint = f"did you mean `{close[0]}`?" if close else f"packages that it asks for: {asked}"
+        data = {REQUEST: ("package", one), "near": close}
+        found.append(REQUEST_UNUSED.at(None, message, hint=hint, data=data))
+    return tuple(found)
 
 
 def unused_request(name: str, words: tuple[str, ...]) -> Diagnostic:

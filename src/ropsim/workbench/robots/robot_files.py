@@ -1,6 +1,7 @@
 """The files of robots that a project names: read from inside of its folder, by the format of their ending."""
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path, PurePosixPath
 from typing import TypeAlias
 
@@ -13,8 +14,8 @@ from ropsim.core import (
     outside_project,
     stated_inside,
 )
-from ropsim.model import ReadRobot, RobotSource
-from ropsim.userfiles import UNREADABLE
+from ropsim.model import REQUEST, ReadRobot, RobotSource
+from ropsim.userfiles import UNREADABLE, missing_file
 from ropsim.workbench.project_diagnostics import UNKNOWN_ROBOT_FORMAT
 from ropsim.workbench.robots.kept_readings import KeptReadings
 from ropsim.workbench.robots.read_request import TEXT_ALONE, ReadRequest
@@ -112,6 +113,13 @@ def _read(folder: Path, source: RobotSource, text_of: TextOf) -> RobotFile:
     text, findings = text_of(source.path)
     if text is None:
         return RobotFile(None, ReadRobot(None, findings))
+    absent = tuple(
+        replace(missing_file(folder / place, place), data={REQUEST: ("package", name)})
+        for name, place in source.packages
+        if not (folder / place).is_dir()
+    )
+    if absent:
+        return RobotFile(text, ReadRobot(None, absent))
     return RobotFile(text, read_robot(text, ReadRequest(source, folder)))
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from ropsim.core import SourceText, frozen_dataclass
 from ropsim.model import PlaceOf, ReadRobot, RobotModel, WrittenRobot
-from ropsim.workbench.robots.read_request import ReadRequest, unused_request
+from ropsim.workbench.robots.read_request import ReadRequest, unasked_packages, unused_request
 
 
 class StepForm(StrEnum):
@@ -85,8 +85,12 @@ class ForeignFormat(RobotFormat):
 
     def read(self, source: SourceText, request: ReadRequest) -> ReadRobot:
         """Return the robot of a text, with the files around it."""
-        found: ReadRobot = self._function(self.reader)(source, request.options)
-        return found
+        options = request.options
+        found: ReadRobot = self._function(self.reader)(source, options)
+        unused = unasked_packages(source.name, options.folder.packages)
+        if not unused or (found.robot is None and not any(one.data.get("near") for one in unused)):
+            return found  # reading ended before all packages were asked for
+        return replace(found, robot=None, findings=(*unused, *found.findings))
 
 
 _EXCHANGE = "ropsim.exchange"

@@ -28,3 +28,22 @@ def test_a_mesh_is_scaled_by_one_positive_number(scale: tuple[float, ...]) -> No
         "the meshes `a.stl` are not drawn: they are scaled by other than one positive number: "
         f"the first one by {figures}"
     )
+
+
+@pytest.mark.parametrize("before", ["", "file://", "file:///"])
+def test_a_mesh_of_a_package_is_found_behind_the_scheme_of_files(before: str) -> None:
+    """Makers write `file:///$(find arm)/...`, where `$(find arm)` is the folder of a package."""
+    notes = Notes()
+    folder = RobotFolder(packages={"arm": "robots/arm"})
+    mesh = mesh_of(f"{before}package://arm/meshes/a.stl", (1.0, 1.0, 1.0), folder, PLACE, notes)
+    assert (mesh, notes.found) == (Mesh("robots/arm/meshes/a.stl"), ())
+
+
+def test_each_missing_mesh_is_counted_and_its_package_named() -> None:
+    notes = Notes()
+    for number in range(14):
+        name = f"file:///package://arm/meshes/a_long_folder_of_one_model_of_the_maker/part_{number}.stl"
+        mesh_of(name, (1.0, 1.0, 1.0), RobotFolder(), PLACE, notes)
+    (found,) = notes.found
+    assert found.message.startswith("14 meshes of `package://arm` are not near to the robot file, such as `")
+    assert found.hint == "name the folder of the package: `--package arm=DIR`"

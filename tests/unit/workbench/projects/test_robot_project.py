@@ -1,5 +1,6 @@
 """New projects for robots: their first program runs at once and moves the arm, whatever the arm is."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -7,11 +8,13 @@ import pytest
 
 import ropsim
 from ropsim import robots
+from ropsim.cellfile import POINTER
 from ropsim.cli.testing import main
 from ropsim.flow import Fidelity, Recording
+from ropsim.model import BASE_LINK, RobotModel, Shape, Sphere
 from ropsim.simulation import RunOptions
-from ropsim.spatial import Pose
-from ropsim.workbench import find_robot, load_robot, new_robot_project, robots_in
+from ropsim.spatial import Array, Pose
+from ropsim.workbench import find_robot, load_robot, new_robot_project, robots_in, written_robot
 from ropsim.workbench.testing import first_way
 from support.built_in import WRITTEN
 from support.published_arms import TABLES, published_arm
@@ -144,3 +147,48 @@ def test_the_commands_for_robots_know_files(tmp_path: Path, capsys: pytest.Captu
         assert "arm.toml:4:23" in capsys.readouterr().err
     assert main(["robot", "list", str(tmp_path)]) == 0
     assert "wrong" in capsys.readouterr().out
+
+
+def with_ball(robot: RobotModel, link: int, p: Array, radius: float = 0.015) -> RobotModel:
+    """Return a robot with a ball at a point of a link, from 0, or of the base, in its frame [m]."""
+    ball = Shape(Sphere(radius), Pose(p))
+    if link == BASE_LINK:
+        return replace(robot, base_shapes=(*robot.base_shapes, ball))
+    links = list(robot.links)
+    links[link] = replace(links[link], shapes=(*links[link].shapes, ball))
+    return replace(robot, links=tuple(links))
+
+
+def made_project(robot: RobotModel, folder: Path) -> Path:
+    (folder / "arm.stp").write_text(written_robot(robot, "arm.stp").text, "utf-8")
+    return new_robot_project(folder / "cell", str(folder / "arm.stp"))
+
+
+def collisions(folder: Path) -> list[str]:
+    project = ropsim.open(folder)
+    return [one.message for one in project.collisions(project.simulate()).findings if one.is_error]
+
+
+def test_the_first_program_goes_where_the_arm_does_not_meet_itself(tmp_path: Path) -> None:
+    """The best way bends the wrist so that the flange is in a ball on the fourth link."""
+    robot = robots.load("irb120")
+    bent = ropsim.kinematics.inverse(robot, first_way(robot, POINTER).corners[0] @ POINTER.inverse())
+    q = bent.solutions[0]
+    in_link = np.linalg.inv(ropsim.kinematics.joint_frames(robot, q)[3])
+    flange = (in_link @ np.append(ropsim.kinematics.forward(robot, q).position, 1.0))[:3]
+    made = made_project(with_ball(robot, 3, flange), tmp_path)
+    assert collisions(made) == []
+    best = first_way(robot, POINTER).corners[0].position * 1e3
+    assert f"position = [{', '.join(f'{c:g}' for c in best.round(6))}]" not in (made / "cell.toml").read_text(
+        "utf-8"
+    )
+
+
+def test_a_first_program_in_which_the_arm_meets_itself_says_so(tmp_path: Path) -> None:
+    """Two axes have one way, and it leads the tip into a ball on the base."""
+    robot = robots.load("two_link")
+    tip = ropsim.kinematics.forward(robot, first_way(robot, POINTER).turns[0]).position
+    robot = with_ball(with_ball(robot, BASE_LINK, tip), 1, robot.X_nM.position)
+    made = made_project(robot, tmp_path)
+    program = (made / "programs" / "main.task").read_text("utf-8")
+    assert any(f"this one: {one.partition(',')[0]}, " in program for one in collisions(made))

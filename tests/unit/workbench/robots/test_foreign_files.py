@@ -278,3 +278,63 @@ def test_every_written_file_has_its_meshes_beside_it(maker: Path, tmp_path: Path
     if target.exists():
         assert main(["robot", "export", str(target), str(again)]) == 0
         assert load_robot(again).base_shapes == load_robot(target).base_shapes
+
+
+@pytest.mark.parametrize(
+    ("keys", "marked", "words"),
+    [
+        ('tip = "hnd"', "tip", "the tip is to be `hnd`"),
+        ("arg = { reech = 0.5 }", "reech", "has no argument `reech`"),
+        ('package = { arm_resources = "robots/nowhere" }', "arm_resources", "`robots/nowhere`"),
+        (
+            'package = { arm_resources = "robots/nowhere" }\narg = { reach = 0.5 }',
+            "arm_resources",
+            "`robots/nowhere`",
+        ),
+        ('package = { arm_resorces = "robots/resources" }', "arm_resorces", "did you mean `arm_resources`?"),
+    ],
+)
+def test_a_mistake_in_a_request_stands_at_its_key_in_the_cell(
+    tmp_path: Path, keys: str, marked: str, words: str
+) -> None:
+    write(tmp_path / "robots", "support")
+    cell = f'[robot]\nmodel = "robots/support/urdf/arm.xacro"\n{keys}\n'
+    (found,) = (one for one in project(tmp_path, cell).diagnostics if one.is_error and one.code != "X890")
+    assert words in f"{found.message} {found.hint}"
+    assert found.span is not None
+    assert Path(found.span.source).name == "cell.toml"
+    line = cell.splitlines()[found.span.line - 1]
+    assert line[found.span.column - 1 :].startswith(marked)
+    assert found.label == "in `robots/support/urdf/arm.xacro`"
+
+
+def test_a_tip_that_is_not_said_stands_at_the_robot_of_the_cell(tmp_path: Path) -> None:
+    write(tmp_path / "robots", "support")
+    hand = tmp_path / "robots" / "support" / "urdf" / "hand.xacro"
+    ends = "".join(
+        f'<link name="{name}"/><joint name="to_{name}" type="fixed"><parent link="lower"/>'
+        f'<child link="{name}"/><origin xyz="0.1 0 0"/></joint>'
+        for name in ("one", "two")
+    )
+    hand.write_text(f'{HEAD}<xacro:macro name="hand" params="">{ends}</xacro:macro></robot>', "utf-8")
+    cell = '[robot]\nmodel = "robots/support/urdf/arm.xacro"\n'
+    (found,) = (one for one in project(tmp_path, cell).diagnostics if one.code == "X988")
+    assert found.span is not None
+    assert (Path(found.span.source).name, found.span.line) == ("cell.toml", 2)
+
+
+def test_a_package_that_no_file_asks_for_is_named(maker: Path, tmp_path: Path) -> None:
+    with pytest.raises(RobotFileError, match="asks for no package `arm_resorces`") as error:
+        load_robot(maker, packages={"arm_resorces": str(tmp_path)})
+    assert error.value.diagnostic.hint == "did you mean `arm_resources`?"
+
+
+def test_an_argument_is_not_refused_where_a_file_is_missing_before_it(maker: Path) -> None:
+    late = MAIN.replace('<xacro:arg name="reach" default="0.4"/>', "")
+    late = late.replace(
+        '<xacro:include filename="hand', '<xacro:arg name="reach"/><xacro:include filename="gone'
+    )
+    maker.write_text(late, "utf-8")
+    with pytest.raises(RobotFileError, match="is not there") as error:
+        load_robot(maker, arguments={"reach": "1", "other": "2"})
+    assert "has no argument" not in error.value.diagnostic.hint
