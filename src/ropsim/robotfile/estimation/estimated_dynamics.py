@@ -32,6 +32,7 @@ from ropsim.robotfile.estimation.estimate_words import (
     balance_origin,
     friction_origin,
     mass_origin,
+    replaced_words,
     rotor_origin,
     size_mass_origin,
     torque_origin,
@@ -99,7 +100,11 @@ def _estimated(robot: RobotModel, facts: ArmFacts) -> RobotModel | Diagnostic:
     limits = torque_limits(robot, arm_class, loads, known, facts.trust)
     torques = np.array(limits.values)
     names = [joint.name for joint in robot.axis_joints]
-    for axes, words in ((limits.estimated, ""), (limits.replaced, "; those of the file do not hold the arm")):
+    short = list(limits.replaced)
+    why = replaced_words(
+        [names[k] for k in short], robot.max_efforts[short].tolist(), loads.worst_gravity[short].tolist()
+    )
+    for axes, words in ((limits.estimated, ""), (limits.replaced, why)):
         if axes:
             origins.append(torque_origin([names[k] for k in axes], len(names), payload, words))
     if limits.balanced:
