@@ -56,7 +56,7 @@ def _range(robot: Mechanism) -> tuple[Array, Array]:
 
 
 def _loads(robot: Mechanism, Q: Array) -> Array:
-    """Return the efforts against gravity without sign, 0 beyond the limits of coupled joints, shape (k, n)."""
+    """Return the efforts against gravity, shape (k, n), without sign; beyond coupled limits 0."""
     loads = np.abs(gravity_loads(robot, Q))
     loads[coupled_limits(robot).excess(Q).any(axis=-1)] = 0.0
     return loads

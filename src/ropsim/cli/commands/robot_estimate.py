@@ -7,19 +7,25 @@ from math import inf
 from pathlib import Path
 
 from ropsim.cli.terminal.named_robot import asked_robot, write_robot_file
-from ropsim.cli.terminal.output import Output
+from ropsim.cli.terminal.output import Output, is_input
 from ropsim.core import Diagnostic
 from ropsim.model import ArmClass
 from ropsim.records import diagnostic_document
-from ropsim.robotfile import ArmFacts, estimated_dynamics
-from ropsim.workbench import carried, written_robot
+from ropsim.robotfile import ArmFacts, estimated_dynamics, payload_doubts
+from ropsim.workbench import RobotFileError, carried, written_robot
 
 
 def estimate(options: argparse.Namespace, output: Output) -> int:
-    """Write a robot with missing masses and drives estimated."""
+    """Write a robot with missing masses and drives estimated.
+
+    Raises:
+        RobotFileError: X847, the file is the one that is read, or it cannot be written.
+    """
     asked = asked_robot(options, output)
     if asked.robot is None:
         return 1
+    if asked.text and Path(options.file).resolve() == Path(asked.text.name).resolve():
+        raise RobotFileError(is_input(options.file))
     moved = carried(asked.robot, asked.mesh_root, Path(options.file))
     robot = moved.robot
     if options.arm_class:
@@ -28,7 +34,8 @@ def estimate(options: argparse.Namespace, output: Output) -> int:
         robot = replace(robot, rated_payload=options.payload)
     made = estimated_dynamics(robot, ArmFacts(options.mass or inf, "as given"))
     written = None if isinstance(made, Diagnostic) else written_robot(made, options.file)
-    findings = (made,) if isinstance(made, Diagnostic) else written.losses if written else ()
+    findings = (made,) if isinstance(made, Diagnostic) else payload_doubts(made)
+    findings += written.losses if written else ()
     output.findings(findings, {})
     if written and written.text:
         write_robot_file(options.file, written.text, moved)

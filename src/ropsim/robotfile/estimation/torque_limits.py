@@ -35,7 +35,7 @@ _MAIN_FACTOR, _WRIST_FACTOR = 2.0, 2.4
 
 
 class TorqueTrust(Enum):
-    """Who stands for the torque limits that an arm has: its maker, or a file, whose numbers may be made up."""
+    """Who stands for the torque limits of an arm: its maker, or a file, whose numbers may be made up."""
 
     MAKER = "maker"
     FILE = "file"
