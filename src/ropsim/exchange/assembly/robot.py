@@ -143,7 +143,7 @@ def _in_order(driven: list[Connection], names: tuple[str, ...]) -> list[Connecti
 
 
 def _rest(description: Description, driven: list[Connection]) -> Array:
-    """Return the rest position of a file, else the one nearest to zero with room to the limits, shape (n,)."""
+    """Return the rest position of a file, else the one nearest to zero with room to limits, shape (n,)."""
     home = dict(description.home)
     return frozen([_kept(one, home[one.name]) if one.name in home else _with_room(one) for one in driven])
 

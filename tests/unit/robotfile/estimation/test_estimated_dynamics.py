@@ -31,6 +31,7 @@ from ropsim.robotfile.testing import (
     axis_loads,
     full_accelerations,
     gravity_torques,
+    link_masses,
     with_payload,
 )
 
@@ -289,3 +290,29 @@ def test_a_palletizer_has_the_shares_of_its_bodies(name: str) -> None:
     assert robot.max_efforts == pytest.approx(
         [1.4 * gravity[1], 1.4 * gravity[1], 2.0 * gravity[2], 0.09 * 1.4 * gravity[1]]
     )
+
+
+def partly_massless(name: str, *without: int) -> RobotModel:
+    robot = replace(robots.load(name), drives=(), origins=())
+    nothing = Link(0.0, np.zeros(3), np.zeros((3, 3)))
+    links = tuple(nothing if k in without else link for k, link in enumerate(robot.links))
+    return replace(robot, links=links)
+
+
+def test_links_without_mass_get_theirs_by_rule_and_the_others_keep_it() -> None:
+    """Of the UR5e with 20.6 kg: its shares of cobots, 0.855 of them moving."""
+    robot = partly_massless("ur5e", 0, 1, 3)
+    made = estimated(robot, ArmFacts(total_mass=20.6))
+    by_rule = link_masses(ArmClass.COBOT, 6, 20.6).links
+    for k, (link, own) in enumerate(zip(made.links, robot.links, strict=True)):
+        assert link == own if k not in (0, 1, 3) else link.mass == pytest.approx(by_rule[k])
+    origin = words(made, "masses")
+    assert origin.parameters == "masses of 3 of 6 links (loads ×12 %)".replace("×", "±")
+    assert origin.source.endswith("of the links behind shoulder_pan, shoulder_lift, wrist_1")
+
+
+def test_an_arm_with_some_masses_and_no_payload_is_refused_by_the_links_without() -> None:
+    robot = replace(partly_massless("ur5e", 2), rated_payload=inf)
+    found = estimated_dynamics(robot)
+    assert isinstance(found, Diagnostic)
+    assert "has neither masses of the links behind elbow nor a rated payload" in found.message
