@@ -14,7 +14,7 @@ import numpy as np
 
 from ropsim.kinematics import joint_frames
 from ropsim.model import Box, Cylinder, Prism, RobotModel, Shape, Solid, around, rod
-from ropsim.spatial import Array, Pose
+from ropsim.spatial import Array, Pose, translation
 
 _FOOT, _TURRET, _UPPER_ARM, _FOREARM, _TUBE, _WRIST, _FLANGE = range(7)
 _TURNED = Pose.from_tuple((0.0, 0.0, 0.0, np.sqrt(0.5), np.sqrt(0.5), 0.0, 0.0))  # z to the right, y up
@@ -83,10 +83,12 @@ def _foot(bones: _Skeleton) -> list[Shape]:
     s, deck, (body, dark) = bones.size, _deck(bones), bones.tones
     box = (0.8 * s, 1.3 * s, 0.6 * deck)
     return [
-        Shape(Box((2.9 * s, 2.7 * s, 0.14 * s)), _at(-0.1 * s, 0.0, 0.07 * s), dark),
+        Shape(Box((2.9 * s, 2.7 * s, 0.14 * s)), translation(-0.1 * s, 0.0, 0.07 * s), dark),
         rod((0.0, 0.0, 0.14 * s), (0.0, 0.0, deck), 1.3 * s, 1.12 * s, body),
-        Shape(Box(box), _at(-1.3 * s, 0.0, 0.14 * s + 0.5 * box[2]), body),
-        Shape(Box((0.06 * s, 0.8 * s, 0.3 * deck)), _at(-1.72 * s, 0.0, 0.14 * s + 0.5 * box[2]), dark),
+        Shape(Box(box), translation(-1.3 * s, 0.0, 0.14 * s + 0.5 * box[2]), body),
+        Shape(
+            Box((0.06 * s, 0.8 * s, 0.3 * deck)), translation(-1.72 * s, 0.0, 0.14 * s + 0.5 * box[2]), dark
+        ),
     ]
 
 
@@ -101,7 +103,7 @@ def _turret(bones: _Skeleton) -> list[Shape]:
         _slab(((low, 0.72 * s), (back, 0.6 * s), (axis, 0.85 * s)), -0.8 * s, 0.16 * s, body),
         rod(axis - 1.5 * s * _LEFT, axis - 0.8 * s * _LEFT, 0.46 * s, 0.58 * s, dark),
         rod((-0.6 * s, 0.3 * s, deck + 0.45 * s), (-0.6 * s, 0.3 * s, deck + 1.15 * s), 0.32 * s, None, dark),
-        Shape(Box((max(x, 0.4 * s), 0.5 * s, 0.5 * s)), _at(0.5 * x, 0.35 * s, deck + 0.6 * s), body),
+        Shape(Box((max(x, 0.4 * s), 0.5 * s, 0.5 * s)), translation(0.5 * x, 0.35 * s, deck + 0.6 * s), body),
     ]
 
 
@@ -190,7 +192,7 @@ def _slab(circles: Sequence[tuple[Array, float]], low: float, high: float, colou
     """Return a slab along y from `low` to `high` [m], around circles in the plane of x and z of the base."""
     outline = around([(float(place[0]), float(place[2]), radius) for place, radius in circles])
     short = dict.fromkeys((_short(x), _short(y)) for x, y in outline)
-    return Shape(Prism(tuple(short), high - low), _at(0.0, high, 0.0) @ _TURNED, colour)
+    return Shape(Prism(tuple(short), high - low), translation(0.0, high, 0.0) @ _TURNED, colour)
 
 
 def _moved(shape: Shape, X_LB: Pose) -> Shape:
@@ -219,7 +221,3 @@ def _short(length: float) -> float:
 
 def _unit(vector: Array) -> Array:
     return np.asarray(vector / hypot(*vector.tolist()))
-
-
-def _at(x: float, y: float, z: float) -> Pose:
-    return Pose(np.array([x, y, z]))

@@ -1,4 +1,7 @@
-"""Masses and drives of library arms: facts, and estimates made from tools/library_estimates.toml."""
+"""Masses and drives of library arms: facts, and estimates made from tools/library_estimates.toml.
+
+Masses are rounded, as their last digits depend on the processor that turned them into the frames of links.
+"""
 
 import tomllib
 from dataclasses import replace
@@ -7,9 +10,11 @@ from pathlib import Path
 from typing import Any
 
 from ropsim.core import Diagnostic
-from ropsim.model import ParameterOrigin, RobotModel
+from ropsim.model import OriginKind, ParameterOrigin, RobotModel
 from ropsim.robotfile import ArmFacts, TorqueTrust, estimated_dynamics
+from ropsim.spatial import frozen, without_residues
 
+DIGITS = 12
 INPUTS = Path(__file__).parent / "library_estimates.toml"
 
 
@@ -23,7 +28,23 @@ def driven(robots: dict[str, RobotModel]) -> dict[str, RobotModel]:
     strays = inputs.keys() - robots.keys()
     if strays:
         raise ValueError(f"{INPUTS.name}: no robot is called {', '.join(sorted(strays))}")
-    return {name: _driven(robot, inputs[name]) if name in inputs else robot for name, robot in robots.items()}
+    return {
+        name: rounded(_driven(robot, inputs[name]) if name in inputs else robot)
+        for name, robot in robots.items()
+    }
+
+
+def rounded(robot: RobotModel) -> RobotModel:
+    """Return a robot whose centres of mass and tensors have 12 significant digits and no residues."""
+    links = tuple(
+        replace(
+            link,
+            com=frozen(without_residues(link.com, DIGITS)),
+            inertia=frozen(without_residues(link.inertia, DIGITS)),
+        )
+        for link in robot.links
+    )
+    return replace(robot, links=links)
 
 
 def _driven(robot: RobotModel, row: dict[str, Any]) -> RobotModel:
@@ -36,7 +57,7 @@ def _driven(robot: RobotModel, row: dict[str, Any]) -> RobotModel:
         trust=TorqueTrust(row.get("torques", "file")),
     )
     if "rotors" in row:
-        origin = ParameterOrigin("rotors and gears", row["rotor_kind"], row["rotor_source"])
+        origin = ParameterOrigin("rotors and gears", OriginKind(row["rotor_kind"]), row["rotor_source"])
         robot = replace(robot, origins=(*robot.origins, origin))
     made = estimated_dynamics(robot, facts)
     if isinstance(made, Diagnostic):

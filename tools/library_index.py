@@ -3,7 +3,7 @@
 import numpy as np
 
 from ropsim.kinematics import frames_batch, solver_of
-from ropsim.model import RobotModel, coupled_limits
+from ropsim.model import OriginKind, RobotModel, coupled_limits
 from ropsim.robots import CatalogueEntry
 from ropsim.spatial import Array
 
@@ -24,7 +24,7 @@ GROUPS = {
     "friction": ("friction",),
 }
 """Kinds of numbers and words that groups of parameters with them are called by."""
-KINDS = ("measured", "published", "derived", "estimated")
+KINDS = tuple(kind.value for kind in OriginKind)
 _SAMPLES, _SEED, _WAYS = 1000, 1, 16
 _FIRST_STEP, _LAST_STEP = 0.3, 1e-4  # of the search [rad | m]
 

@@ -21,6 +21,7 @@ from ropsim.model import (
     JointLimits,
     JointType,
     Link,
+    OriginKind,
     ParameterOrigin,
     RobotModel,
     Shape,
@@ -43,13 +44,13 @@ _UP = np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]])  # x up, z t
 _AHEAD = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])  # x ahead, z to the left side
 _RISE, _STEEPER = 4.0, 10.0  # acceleration over speed, jerk over acceleration [1/s]: as in robot files
 _ESTIMATED = (
-    ParameterOrigin("home position", "estimated", "lower arm upright, forearm a little down"),
+    ParameterOrigin("home position", OriginKind.ESTIMATED, "lower arm upright, forearm a little down"),
     ParameterOrigin(
         "joint accelerations and jerks",
-        "estimated",
+        OriginKind.ESTIMATED,
         "full speed within 0.25 s; full acceleration within 0.1 s",
     ),
-    ParameterOrigin("crank, rods and drawn shapes", "estimated", "by eye around the link lengths"),
+    ParameterOrigin("crank, rods and drawn shapes", OriginKind.ESTIMATED, "by eye around the link lengths"),
 )
 
 

@@ -2,10 +2,8 @@
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from ropsim.model import Box, Prism, Revolve, Shape, around, rod
-from ropsim.spatial import Pose
+from ropsim.spatial import Pose, translation
 
 _STEEL = "#a3abb3"
 
@@ -53,7 +51,7 @@ def base_shapes(lengths: Lengths, tones: list[str]) -> tuple[Shape, ...]:
     profile = tuple((r * s, z * s if z < 1.0 else top) for r, z in ring)
     return (
         Shape(Revolve(profile), Pose(), tones[2]),
-        Shape(Box((0.95 * s, 0.95 * s, 0.03)), _at(0.0, 0.0, 0.015), tones[2]),
+        Shape(Box((0.95 * s, 0.95 * s, 0.03)), translation(0.0, 0.0, 0.015), tones[2]),
     )
 
 
@@ -79,7 +77,7 @@ def link_shapes(lengths: Lengths, tones: list[str]) -> list[tuple[Shape, ...]]:
         (
             Shape(
                 Box((lengths.wrist + 0.12 * s, 0.12 * s, 0.16 * s)),
-                _at(0.5 * lengths.wrist, 0.02 * s, 0.0),
+                translation(0.5 * lengths.wrist, 0.02 * s, 0.0),
                 shade,
             ),
             rod((0.0, 0.0, beside), (*pin, beside), 0.03 * s, None, dark),
@@ -110,7 +108,7 @@ def _column(lengths: Lengths, tones: list[str]) -> tuple[Shape, ...]:
         *(
             Shape(
                 Box((x + 0.4 * s, 0.13 * s, 0.85 * tall)),
-                _at(0.5 * x, y * s, low + 0.3 * tall + 0.42 * tall),
+                translation(0.5 * x, y * s, low + 0.3 * tall + 0.42 * tall),
                 body,
             )
             for y in (-0.2, 0.24)
@@ -129,14 +127,12 @@ def _slat(
     start: float, end: float, first: float, last: float, low: float, depth: float, colour: str
 ) -> Shape:
     """Return a slat along x with round ends, beginning at `low` along the joint."""
-    return Shape(Prism(around(((start, 0.0, first), (end, 0.0, last))), depth), _at(0.0, 0.0, low), colour)
+    return Shape(
+        Prism(around(((start, 0.0, first), (end, 0.0, last))), depth), translation(0.0, 0.0, low), colour
+    )
 
 
 def _bar(length: float, beside: float, radius: float) -> Shape:
     """Return a link that turns on pins at both ends, `beside` the plane of the arm."""
     bar = Prism(around(((0.0, 0.0, 1.5 * radius), (length, 0.0, 1.5 * radius))), radius)
-    return Shape(bar, _at(0.0, 0.0, beside - 0.5 * radius), _STEEL)
-
-
-def _at(x: float, y: float, z: float) -> Pose:
-    return Pose(np.array([x, y, z]))
+    return Shape(bar, translation(0.0, 0.0, beside - 0.5 * radius), _STEEL)

@@ -11,7 +11,9 @@ from pathlib import Path
 
 from ropsim.parts import (
     PART_KINDS,
+    TCP,
     PartKind,
+    bound_words,
     fact_words,
     library_part,
     range_words,
@@ -50,16 +52,19 @@ def section(kind: PartKind) -> str:
         cells = (f"`{one.name}`", value_words(one, one.default), range_words(one))
         lines.append(f"| {' | '.join(cells)} | {one.origin.value}{source} | {one.meaning} |")
     if kind.at_most:
-        bounds = ", ".join(f"`{small}` is at most `{large}`" for small, large in kind.at_most)
-        lines += ["", f"{bounds[0].upper()}{bounds[1:]}."]
+        lines += ["", f"{', '.join(bound_words(bound) for bound in kind.at_most)}."]
     if kind.products:
         lines += ["", "| model | product | figures | origin | estimated |", "|---|---|---|---|---|"]
     for product in kind.products:
         facts = "; ".join(fact_words(fact) for fact in product.facts)
         figures = "; ".join(text for text in (values_words(kind, product.values), facts) if text)
-        estimates = values_words(kind, product.estimates) or "–"
+        estimates = values_words(kind, product.estimates)
+        X_MT = library_part(kind.name, product.name).X_MT
+        if X_MT is not None and TCP not in product.values:
+            words = f"TCP {1e3 * X_MT.position[2]:.4g} mm"
+            estimates = f"{estimates}, {words}" if estimates else words
         origin = f"{product.origin.value}: {product.source}"
-        lines.append(f"| `{product.name}` | {product.title} | {figures} | {origin} | {estimates} |")
+        lines.append(f"| `{product.name}` | {product.title} | {figures} | {origin} | {estimates or '–'} |")
     return "\n".join(lines) + "\n"
 
 

@@ -26,7 +26,7 @@ from tools.library_rods import with_rod
 
 from ropsim.core import SourceText
 from ropsim.kinematics import joint_frames
-from ropsim.model import Linkage, ParameterOrigin, RobotModel, Shape, rod
+from ropsim.model import Linkage, OriginKind, ParameterOrigin, RobotModel, Shape, rod
 from ropsim.nirox import write_nirox
 from ropsim.robotfile import read_robot_file
 from ropsim.robots import INDEX, catalogue_text, load, names
@@ -36,8 +36,8 @@ ROOT = Path(__file__).parent.parent
 FACTS = ROOT / "tools" / "library"
 LOOKS = ROOT / "tools" / "library_looks.toml"
 TARGET = ROOT / "src" / "ropsim" / "robots" / "arms"
-DRAWN = ParameterOrigin("drawn shapes", "estimated", "round rods along and between the axes, by eye")
-CASTINGS = ParameterOrigin("drawn shapes", "estimated", "castings around the axes, by eye")
+DRAWN = ParameterOrigin("drawn shapes", OriginKind.ESTIMATED, "round rods along and between the axes, by eye")
+CASTINGS = ParameterOrigin("drawn shapes", OriginKind.ESTIMATED, "castings around the axes, by eye")
 
 
 def robots() -> dict[str, RobotModel]:

@@ -15,6 +15,7 @@ from ropsim.flow import (
     MotionKind,
     MoveEvent,
     Origin,
+    OriginKind,
     ParameterOrigin,
     Recording,
     ReleaseEvent,
@@ -167,7 +168,7 @@ def station(**changes: Any) -> StationFacts:
         title="Unimation PUMA 560",
         axes=axes,
         origins=(
-            ParameterOrigin("link inertias", "published", "Armstrong, Khatib & Burdick 1986"),
+            ParameterOrigin("link inertias", OriginKind.PUBLISHED, "Armstrong, Khatib & Burdick 1986"),
             *estimates("motor resistance and inductance", "joint speed limits"),
         ),
     )
@@ -181,7 +182,7 @@ def facts(**changes: Any) -> RunFacts:
 
 def estimates(*parameters: str) -> tuple[ParameterOrigin, ...]:
     """Return origins of parameters that are estimates."""
-    return tuple(ParameterOrigin(one, "estimated", "a guess") for one in parameters)
+    return tuple(ParameterOrigin(one, OriginKind.ESTIMATED, "a guess") for one in parameters)
 
 
 def held(

@@ -52,8 +52,8 @@ export interface AxisFacts {
 export interface ParameterOrigin {
   /** Covered parameters, such as `motor constants`. */
   readonly parameters: string
-  /** `measured`, `published`, `derived` or `estimated`. */
-  readonly kind: string
+  /** How they are known. */
+  readonly kind: 'measured' | 'published' | 'derived' | 'estimated'
   /** Paper, table or reasoning. */
   readonly source: string
 }

@@ -30,9 +30,9 @@ PART_OF_ANOTHER_USE = define(
     Severity.ERROR,
     "a library part stands in a table of the cell file that it is not for",
     """
-Each kind of part is for one table: grippers and flanges for `[tools.NAME]`, fences, pallets and tables for
-`[[objects]]`, belt conveyors for `[devices.NAME]` of the kind `conveyor`, turntables for those of the kind
-`turntable`. `ropsim part list` prints the kinds with their use.
+Each kind of part is for one table: what an arm carries for `[tools.NAME]`, what stands still for
+`[[objects]]`, conveyors and turntables for `[devices.NAME]` of the kinds `conveyor` and `turntable`.
+`ropsim part list` prints the kinds with their use.
 
 ```toml
 [tools.jaws]
@@ -188,11 +188,8 @@ def _note_conflict(inner: TomlTable, kind: PartKind, values: Values, units: Unit
     if conflict is None:
         return
     small, large = conflict
-    shown = [
-        quantity.show(values[one.name] / quantity.scale)
-        for one, quantity in ((small, _quantity(small, units)), (large, _quantity(large, units)))
-    ]
-    message = f"`{inner.name_of(small.name)}` is {shown[0]}, above `{large.name}`, which is {shown[1]}"
+    scaled = ((values[one.name], _quantity(one, units)) for one in conflict)
+    shown = [quantity.show(value / quantity.scale) for value, quantity in scaled]
+    message, hint = parts.conflict_words(inner.name_of(small.name), conflict, shown)
     place = small.name if small.name in inner else large.name
-    hint = f"write a smaller `{small.name}` or a larger `{large.name}`"
     inner.findings.add(CONFLICTING_MEASURES, inner.value_span(place), message, hint)

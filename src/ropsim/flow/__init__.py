@@ -22,6 +22,7 @@ from ropsim.flow.facts import AxisType as AxisType
 from ropsim.flow.facts import CalledTask as CalledTask
 from ropsim.flow.facts import Destinations as Destinations
 from ropsim.flow.facts import Fidelity as Fidelity
+from ropsim.flow.facts import OriginKind as OriginKind
 from ropsim.flow.facts import ParameterOrigin as ParameterOrigin
 from ropsim.flow.facts import RunFacts as RunFacts
 from ropsim.flow.facts import StationFacts as StationFacts

@@ -1,6 +1,6 @@
 """Facts of a recording about its run: stations and programs, arms, limits."""
 
-from enum import Enum
+from enum import Enum, StrEnum
 from math import inf, nan
 
 from ropsim.core import frozen_dataclass
@@ -11,18 +11,27 @@ ROBOT = "robot"
 """Name of the station of a cell with a single one; its bodies and channels are called without it."""
 
 
+class OriginKind(StrEnum):
+    """How a number is known: by measuring it, from its maker or a paper, from such numbers, or by a rule."""
+
+    MEASURED = "measured"
+    PUBLISHED = "published"
+    DERIVED = "derived"
+    ESTIMATED = "estimated"
+
+
 @frozen_dataclass
 class ParameterOrigin:
     """Where a group of parameters comes from.
 
     Attributes:
         parameters: covered parameters, such as `motor constants`.
-        kind: `measured`, `published`, `derived` or `estimated`.
+        kind: how they are known.
         source: paper, table or reasoning.
     """
 
     parameters: str
-    kind: str
+    kind: OriginKind
     source: str
 
 
@@ -117,7 +126,7 @@ class StationFacts:
     @property
     def estimated(self) -> tuple[str, ...]:
         """Return which groups of parameters are estimates."""
-        return tuple(one.parameters for one in self.origins if one.kind == "estimated")
+        return tuple(one.parameters for one in self.origins if one.kind is OriginKind.ESTIMATED)
 
 
 @frozen_dataclass

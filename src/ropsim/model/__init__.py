@@ -1,9 +1,13 @@
 """Static descriptions: arm, drives, controller, work cell. Immutable; a run keeps its own state."""
 
 from ropsim.flow import ROBOT as ROBOT
+from ropsim.flow import OriginKind as OriginKind
 from ropsim.flow import ParameterOrigin as ParameterOrigin
 from ropsim.flow import prefix_of as prefix_of
 from ropsim.model.audit.audit import audit as audit
+from ropsim.model.audit.weights import heaviest as heaviest
+from ropsim.model.audit.weights import length_of as length_of
+from ropsim.model.audit.weights import one_mass as one_mass
 from ropsim.model.cell.bearers import bearers as bearers
 from ropsim.model.cell.bearers import carriages as carriages
 from ropsim.model.cell.bearers import lying_words as lying_words
@@ -95,13 +99,18 @@ from ropsim.model.findings.diagnostics import ESTIMATED_PARAMETERS as ESTIMATED_
 from ropsim.model.findings.diagnostics import INDEFINITE_INERTIA as INDEFINITE_INERTIA
 from ropsim.model.findings.diagnostics import MASSLESS_LINK as MASSLESS_LINK
 from ropsim.model.findings.diagnostics import TRIANGLE_VIOLATED as TRIANGLE_VIOLATED
+from ropsim.model.findings.doubt_diagnostics import DOUBTS as DOUBTS
+from ropsim.model.findings.doubt_diagnostics import PLACEHOLDER_MASSES as PLACEHOLDER_MASSES
+from ropsim.model.findings.doubt_diagnostics import UNLIKELY_MASS as UNLIKELY_MASS
 from ropsim.model.findings.number_range import ModelValueError as ModelValueError
 from ropsim.model.findings.place import Attribute as Attribute
 from ropsim.model.findings.place import AuditPlace as AuditPlace
 from ropsim.model.findings.place import PlaceOf as PlaceOf
 from ropsim.model.findings.place import nowhere as nowhere
+from ropsim.model.geometry.elements import DARK_GREY as DARK_GREY
 from ropsim.model.geometry.elements import LIGHT_GREY as LIGHT_GREY
 from ropsim.model.geometry.elements import MESH_ENDINGS as MESH_ENDINGS
+from ropsim.model.geometry.elements import STEEL_GREY as STEEL_GREY
 from ropsim.model.geometry.elements import Box as Box
 from ropsim.model.geometry.elements import Cylinder as Cylinder
 from ropsim.model.geometry.elements import Material as Material

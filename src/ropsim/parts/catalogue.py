@@ -9,10 +9,12 @@ from ropsim.parts.fence import FENCE
 from ropsim.parts.flange import FLANGE
 from ropsim.parts.pallet import EUR_PALLET
 from ropsim.parts.part_kind import LibraryPart, PartKind, Use
+from ropsim.parts.roller_conveyor import ROLLER_CONVEYOR
 from ropsim.parts.table import TABLE
 from ropsim.parts.turntable import TURNTABLE
 from ropsim.parts.two_finger_gripper import TWO_FINGER_GRIPPER
 from ropsim.parts.vacuum_gripper import VACUUM_GRIPPER
+from ropsim.parts.words import beyond_words, conflict_words
 
 PART_KINDS: Mapping[str, PartKind] = MappingProxyType(
     {
@@ -22,6 +24,7 @@ PART_KINDS: Mapping[str, PartKind] = MappingProxyType(
             VACUUM_GRIPPER,
             FLANGE,
             BELT_CONVEYOR,
+            ROLLER_CONVEYOR,
             TURNTABLE,
             FENCE,
             EUR_PALLET,
@@ -68,17 +71,12 @@ def library_part(kind: str, model: str = "", **values: float) -> LibraryPart:
     for name, value in values.items():
         if name not in known:
             raise UnknownPartError(f"parameter of `{kind}`", name, known)
-        low, high = known[name].low, known[name].high
-        if not low <= value <= high:
-            message = f"`{name}` of `{kind}` is {value:g}, allowed is {low:g} to {high:g}, in SI units"
-            raise PartValueError(CONFLICTING_MEASURES.at(None, message))
+        if not known[name].allows(value):
+            raise PartValueError(CONFLICTING_MEASURES.at(None, beyond_words(kind, known[name], value)))
     complete = found.defaults(product) | values
     conflict = found.conflict(complete)
     if conflict is not None:
-        small, large = conflict
-        message = (
-            f"`{small.name}` of `{kind}` is {complete[small.name]:g}, "
-            f"above `{large.name}`, which is {complete[large.name]:g}, in SI units"
-        )
-        raise PartValueError(CONFLICTING_MEASURES.at(None, message))
+        shown = [f"{complete[one.name]:g}" for one in conflict]
+        words, hint = conflict_words(f"{conflict[0].name}` of `{kind}", conflict, shown)
+        raise PartValueError(CONFLICTING_MEASURES.at(None, f"{words}, in SI units", hint=hint))
     return found.make(complete)

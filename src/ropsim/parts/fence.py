@@ -3,9 +3,10 @@
 from collections.abc import Iterator
 from math import ceil
 
-from ropsim.model import Box, Material, Point3, Polyline, Shape
-from ropsim.parts.elements import DARK, at, block, length_of
-from ropsim.parts.part_kind import LibraryPart, Measure, Origin, Parameter, PartKind, Use, Values
+from ropsim.model import DARK_GREY, Box, Material, OriginKind, Point3, Polyline, Shape
+from ropsim.parts.elements import block, length_of
+from ropsim.parts.part_kind import LibraryPart, Measure, Parameter, PartKind, Use, Values
+from ropsim.spatial import translation
 
 _YELLOW = "#d1a82b"
 _FOOT = 0.01  # [m], thickness of a foot plate
@@ -21,8 +22,8 @@ _PARAMETERS = (
         0.3,
         4.0,
         "Height above the floor; at least 1400 mm, and nobody reaches over 2700 mm.",
-        Origin.PUBLISHED,
-        _SOURCE,
+        OriginKind.ESTIMATED,
+        f"within the bounds of {_SOURCE}",
     ),
     Parameter(
         "floor_gap",
@@ -31,7 +32,7 @@ _PARAMETERS = (
         0.0,
         0.25,
         "Free height below the panels; at most 180 mm.",
-        Origin.ESTIMATED,
+        OriginKind.ESTIMATED,
         f"within the bound of {_SOURCE}",
     ),
     length_of("panel_width", 1.0, 0.5, 3.0, "Greatest distance from post to post; usual are 200 to 1500 mm."),
@@ -49,17 +50,17 @@ def _make(values: Values) -> LibraryPart:
     for number in range(count + 1):
         x = edge / 2.0 + number * (length - edge) / count
         posts.append(block((edge, edge, height), (x, 0.0, height / 2.0), _YELLOW))
-        posts.append(block((2.0 * edge, 2.0 * edge, _FOOT), (x, 0.0, _FOOT / 2.0), DARK))
+        posts.append(block((2.0 * edge, 2.0 * edge, _FOOT), (x, 0.0, _FOOT / 2.0), DARK_GREY))
     top = height - 0.02
-    middle = at(length / 2.0, 0.0, (gap + top) / 2.0)
-    panel = Shape(Box((length - 2.0 * edge, _WIRE, top - gap)), middle, DARK, 0.12, Material.STEEL)
+    middle = translation(length / 2.0, 0.0, (gap + top) / 2.0)
+    panel = Shape(Box((length - 2.0 * edge, _WIRE, top - gap)), middle, DARK_GREY, 0.12, Material.STEEL)
     rails = (
-        block((length - 2.0 * edge, 0.4 * edge, 0.02), (length / 2.0, 0.0, z), DARK)
+        block((length - 2.0 * edge, 0.4 * edge, 0.02), (length / 2.0, 0.0, z), DARK_GREY)
         for z in (gap + 0.01, top - 0.01)
     )
     upright = Polyline(tuple(_snake(edge, length - edge, mesh, gap, top, across=0)))
     level = Polyline(tuple(_snake(gap, top, mesh, edge, length - edge, across=2)))
-    wires = (Shape(lines, colour=DARK, material=Material.STEEL) for lines in (upright, level))
+    wires = (Shape(lines, colour=DARK_GREY, material=Material.STEEL) for lines in (upright, level))
     return LibraryPart((*posts, *rails, panel, *wires), colour=_YELLOW)
 
 

@@ -1,14 +1,13 @@
 """Two fingers that open and close as one: the mechanism of a parallel gripper."""
 
-import math
 from dataclasses import replace
 
 from ropsim.model import Box, Coupling, Fingers, Joint, JointType, Link, Material, Mechanism, Shape
-from ropsim.spatial import Pose, frozen
+from ropsim.parts.elements import RUBBER
+from ropsim.spatial import ALONG_Y, Pose, frozen
 
 _REACH = 0.012
 """By how much fingers reach beyond the TCP, over the top of a part, at most [m]."""
-_RUBBER = "#2f363d"
 _NONE = frozen([0.0] * 3)
 _ANY = 1e3
 """Limit of speed, acceleration and jerk, which the dwell of the gripper decides."""
@@ -29,7 +28,7 @@ def parallel_fingers(X_MT: Pose, opened: float, closed: float, size: tuple[float
 
     def shapes(side: float) -> tuple[Shape, ...]:
         place = Pose(frozen([0.0, -side * middle, thick / 2.0]))
-        return (Shape(solid, place, _RUBBER, material=Material.RUBBER),)
+        return (Shape(solid, place, RUBBER, material=Material.RUBBER),)
 
     return _moving(X_MT, opened, closed, (shapes(1.0), shapes(-1.0)))
 
@@ -55,7 +54,7 @@ def shaped_fingers(X_MT: Pose, opened: float, closed: float, finger: tuple[Shape
 
 def _along(side: float) -> Pose:
     """Return the frame whose z axis points along y of the tool, or against it for the side -1."""
-    return Pose(_NONE, frozen([math.sqrt(0.5), -side * math.sqrt(0.5), 0.0, 0.0]))
+    return ALONG_Y if side > 0.0 else ALONG_Y.inverse()
 
 
 def _moving(

@@ -1,6 +1,7 @@
 """Grippers that are sold: published figures with their sources, and estimated edges of their housings."""
 
-from ropsim.parts.part_kind import Fact, Origin, Product
+from ropsim.model import OriginKind
+from ropsim.parts.part_kind import TCP, Fact, Product
 
 _DH = (
     "TrossenRobotics/dobot_cr_cobots_docs docs/end_effectors/dh_robotics/{}.rst "
@@ -33,7 +34,7 @@ def _dh_robotics() -> tuple[Product, ...]:
             name,
             f"DH-Robotics {model}",
             {"stroke": stroke, "mass": mass, "open_time": time, "close_time": time},
-            Origin.PUBLISHED,
+            OriginKind.PUBLISHED,
             _DH.format(page),
             dict(zip(("body_length", "body_width", "body_depth"), body, strict=True)),
             (
@@ -49,10 +50,11 @@ TWO_FINGER_PRODUCTS = (
     Product(
         "franka_hand",
         "Franka hand",
-        {"stroke": 0.08, "mass": 0.7126},
-        Origin.PUBLISHED,
-        f"{_FRANKA}franka_hand/inertials.yaml, end_effectors/common/franka_hand.xacro (0 to 0.04 m a finger)",
-        {"body_length": 0.045, "body_width": 0.2, "finger_width": 0.02, "open_time": 0.2, "close_time": 0.2},
+        {"stroke": 0.08, "mass": 0.7126, TCP: 0.1034},
+        OriginKind.PUBLISHED,
+        f"{_FRANKA}franka_hand/inertials.yaml and franka_hand_arguments.xacro (tcp_xyz), "
+        "end_effectors/common/franka_hand.xacro (0 to 0.04 m a finger)",
+        {"body_width": 0.2, "finger_width": 0.02, "open_time": 0.2, "close_time": 0.2},
         (
             Fact("speed of a finger at most", (0.2,), "m/s"),
             Fact("mass of the hand", (0.6544,), "kg"),
@@ -63,7 +65,7 @@ TWO_FINGER_PRODUCTS = (
         "robotiq_2f_85",
         "Robotiq 2F-85",
         {"stroke": 0.085, "mass": 0.9},
-        Origin.PUBLISHED,
+        OriginKind.PUBLISHED,
         "google-deepmind/mujoco_menagerie robotiq_2f85/2f85.xml; stroke by the type designation",
         {"body_length": 0.07, "body_width": 0.075, "body_depth": 0.06, "finger_width": 0.022},
         (Fact("mass of the base", (0.777441,), "kg"), Fact("edges of a pad", (0.022, 0.008, 0.0375), "m")),
@@ -76,10 +78,11 @@ VACUUM_PRODUCTS = (
     Product(
         "franka_cobot_pump",
         "Franka cobot pump",
-        {"mass": 1.01, "com": 0.063},
-        Origin.PUBLISHED,
-        f"{_FRANKA}cobot_pump/inertials.yaml; its tensor is a placeholder and not used",
-        {"body_length": 0.09, "body_width": 0.11, "body_depth": 0.08},
+        {"mass": 1.01, "com": 0.063, TCP: 0.105},
+        OriginKind.PUBLISHED,
+        f"{_FRANKA}cobot_pump/inertials.yaml and cobot_pump_arguments.xacro (tcp_xyz); "
+        "its tensor is a placeholder and not used",
+        {"body_width": 0.11, "body_depth": 0.08},
     ),
 )
 """Vacuum grippers."""

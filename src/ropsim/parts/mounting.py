@@ -1,4 +1,4 @@
-"""Library parts at another place than the mechanical interface, such as in front of an adapter."""
+"""Tools of the library at another place than the mechanical interface, such as in front of an adapter."""
 
 from dataclasses import replace
 
@@ -10,13 +10,13 @@ _SAME = Pose()
 
 
 def mounted(part: LibraryPart, X_MP: Pose) -> LibraryPart:
-    """Return a part whose frame P is at a pose in the frame M that it was in before.
+    """Return a tool whose frame P is at a pose in the mechanical interface frame M.
 
     Shapes, load, tool frame and fingers go along.
 
     Args:
-        part: as it is made, in its own frame.
-        X_MP: its frame in the new one.
+        part: a tool as it is made, in its own frame.
+        X_MP: its frame in M.
     """
     if X_MP == _SAME:
         return part

@@ -2,19 +2,9 @@
 
 from collections.abc import Sequence
 
-from ropsim.model import Material, Shape
+from ropsim.model import Material, OriginKind, Shape
 from ropsim.parts.elements import WOOD, block
-from ropsim.parts.part_kind import (
-    Fact,
-    LibraryPart,
-    Measure,
-    Origin,
-    Parameter,
-    PartKind,
-    Product,
-    Use,
-    Values,
-)
+from ropsim.parts.part_kind import Fact, LibraryPart, Measure, Parameter, PartKind, Product, Use, Values
 from ropsim.parts.solid_mass import filled
 
 _BOARD, _WIDE, _NARROW = 0.022, 0.145, 0.1  # [m], thickness and widths of boards
@@ -29,14 +19,14 @@ _SIDE, _CROSS = "#b8945f", "#ad8a58"
 
 
 def _parameter(name: str, default: float, low: float, high: float, meaning: str) -> Parameter:
-    return Parameter(name, Measure.LENGTH, default, low, high, meaning, Origin.PUBLISHED, _STANDARD)
+    return Parameter(name, Measure.LENGTH, default, low, high, meaning, OriginKind.PUBLISHED, _STANDARD)
 
 
 _PARAMETERS = (
     _parameter("length", 1.2, 0.4, 2.0, "Length, along x; the boards of the deck go along it."),
     _parameter("width", 0.8, 0.4, 2.0, "Width, along y."),
     _parameter("height", 0.144, 0.1, 0.3, "Height of the deck above the floor."),
-    Parameter("mass", Measure.MASS, 25.0, 1.0, 200.0, "Mass.", Origin.PUBLISHED, _STANDARD),
+    Parameter("mass", Measure.MASS, 25.0, 1.0, 200.0, "Mass.", OriginKind.PUBLISHED, _STANDARD),
 )
 
 
@@ -91,7 +81,7 @@ def _row(widths: Sequence[float], whole: float) -> tuple[tuple[float, float], ..
 def _type(name: str, title: str, size: tuple[float, float], mass: float, load: float, source: str) -> Product:
     values = {"length": size[0], "width": size[1], "height": 0.144, "mass": mass}
     facts = (Fact("load, evenly spread", (load,), "kg"),)
-    return Product(name, title, values, Origin.PUBLISHED, source, facts=facts)
+    return Product(name, title, values, OriginKind.PUBLISHED, source, facts=facts)
 
 
 EUR_PALLET = PartKind(

@@ -6,11 +6,14 @@ from enum import StrEnum
 from typing import TypeAlias
 
 from ropsim.core import frozen_dataclass
-from ropsim.model import LIGHT_GREY, Gripper, Payload, Shape
+from ropsim.model import LIGHT_GREY, Gripper, OriginKind, Payload, Shape
 from ropsim.spatial import Pose, record
 
 Values: TypeAlias = Mapping[str, float]
 """Values of parameters by name, in SI units."""
+
+TCP = "tcp"
+"""Parameter with the distance of the TCP from the mechanical interface."""
 
 
 class Use(StrEnum):
@@ -29,15 +32,6 @@ class Measure(StrEnum):
     MASS = "mass"
     TIME = "time"
     COUNT = "count"
-
-
-class Origin(StrEnum):
-    """Where a number comes from."""
-
-    PUBLISHED = "published"
-    DERIVED = "derived"
-    ESTIMATED = "estimated"
-    RECALLED = "recalled"
 
 
 @frozen_dataclass
@@ -62,8 +56,36 @@ class Parameter:
     low: float
     high: float
     meaning: str
-    origin: Origin = Origin.ESTIMATED
+    origin: OriginKind = OriginKind.ESTIMATED
     source: str = ""
+
+    def allows(self, value: float) -> bool:
+        """Return whether a value [SI] is in the range, and whole for a number of pieces."""
+        is_whole = self.measure is not Measure.COUNT or value % 1.0 == 0.0
+        return self.low <= value <= self.high and is_whole
+
+
+@frozen_dataclass
+class AtMost:
+    """A bound: a parameter must not exceed another one.
+
+    Attributes:
+        small: name of the one.
+        large: name of the other.
+        of_several: names of parameters that count pieces; the bound holds where there are several of one.
+            Empty for a bound that always holds.
+    """
+
+    small: str
+    large: str
+    of_several: tuple[str, ...] = ()
+
+    def is_kept(self, values: Values) -> bool:
+        """Return whether values [SI] keep it; a parameter without a value keeps any bound."""
+        if self.small not in values or self.large not in values:
+            return True
+        is_free = self.of_several and all(values.get(name, 1.0) <= 1.0 for name in self.of_several)
+        return bool(is_free) or values[self.small] <= values[self.large]
 
 
 @frozen_dataclass
@@ -98,7 +120,7 @@ class Product:
     name: str
     title: str
     values: Values
-    origin: Origin
+    origin: OriginKind
     source: str
     estimates: Values = field(default_factory=dict)
     facts: tuple[Fact, ...] = ()
@@ -137,7 +159,7 @@ class PartKind:
         parameters: in the order in which they are listed.
         make: returns the part for values of all parameters that have one.
         products: named products.
-        at_most: pairs of parameters of which the first must not exceed the second.
+        at_most: bounds between parameters.
     """
 
     name: str
@@ -147,7 +169,7 @@ class PartKind:
     parameters: tuple[Parameter, ...]
     make: Callable[[Values], LibraryPart]
     products: tuple[Product, ...] = ()
-    at_most: tuple[tuple[str, str], ...] = ()
+    at_most: tuple[AtMost, ...] = ()
 
     def product(self, name: str) -> Product | None:
         """Return the product of a name, None for an unknown one."""
@@ -161,7 +183,9 @@ class PartKind:
     def conflict(self, values: Values) -> tuple[Parameter, Parameter] | None:
         """Return the first two parameters of which one exceeds its upper bound, the other; None for none."""
         known = {one.name: one for one in self.parameters}
-        for small, large in self.at_most:
-            if values[small] > values[large]:
-                return known[small], known[large]
-        return None
+        broken = (bound for bound in self.at_most if not bound.is_kept(values))
+        return next(((known[one.small], known[one.large]) for one in broken), None)
+
+    def tcp_origin(self, product: Product | None = None) -> OriginKind:
+        """Return how the TCP of a tool is known: as a figure of its product, or by estimates."""
+        return product.origin if product and TCP in product.values else OriginKind.ESTIMATED

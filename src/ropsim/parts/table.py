@@ -2,8 +2,8 @@
 
 from itertools import product
 
-from ropsim.model import Material
-from ropsim.parts.elements import DARK, LIGHT_TOP, STEEL, block, length_of, upright
+from ropsim.model import DARK_GREY, STEEL_GREY, Material
+from ropsim.parts.elements import LIGHT_TOP, block, length_of, upright
 from ropsim.parts.part_kind import LibraryPart, PartKind, Use, Values
 
 _FOOT = 0.03  # [m], height of an adjustable foot
@@ -26,13 +26,13 @@ def _make(values: Values) -> LibraryPart:
     x, y = length / 2.0 - inset - edge / 2.0, width / 2.0 - inset - edge / 2.0
     top = block((length, width, thick), (0.0, 0.0, height - thick / 2.0), LIGHT_TOP)
     corners = list(product((-x, x), (-y, y)))
-    feet = (upright(0.45 * edge, 0.0, _FOOT, DARK, Material.RUBBER, a, b) for a, b in corners)
+    feet = (upright(0.45 * edge, 0.0, _FOOT, DARK_GREY, Material.RUBBER, a, b) for a, b in corners)
     posts = (
-        block((edge, edge, under - _FOOT), (a, b, (under + _FOOT) / 2.0), STEEL, Material.STEEL)
+        block((edge, edge, under - _FOOT), (a, b, (under + _FOOT) / 2.0), STEEL_GREY, Material.STEEL)
         for a, b in corners
     )
     braces = (
-        block(size, (a, b, z), STEEL, Material.STEEL)
+        block(size, (a, b, z), STEEL_GREY, Material.STEEL)
         for z in (under - edge / 2.0, _FOOT + 0.2 * (under - _FOOT))
         for size, a, b in (
             ((2.0 * x - edge, edge, edge), 0.0, -y),

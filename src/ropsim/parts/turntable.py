@@ -1,10 +1,16 @@
 """Turntables: a plate that turns on a drum with a foot plate."""
 
-from ropsim.model import Material
-from ropsim.parts.elements import BODY, DARK, STEEL, block, length_of, upright
-from ropsim.parts.part_kind import LibraryPart, PartKind, Use, Values
+from math import sqrt
 
+from ropsim.model import DARK_GREY, STEEL_GREY, Material
+from ropsim.parts.elements import HOUSING, block, length_of, upright
+from ropsim.parts.part_kind import AtMost, LibraryPart, PartKind, Use, Values
+
+ORANGE = "#e2702b"
 _FOOT = 0.02  # [m], thickness of the foot plate
+_GROOVE = 0.01  # [m], by which the lower part of the plate stands back, but for the mark
+_MARK = 0.02  # [m], length of the mark, and half its width
+_UPPER = 0.6  # share of the upper part in the thickness of the plate
 
 _PARAMETERS = (
     length_of("diameter", 0.8, 0.1, 4.0, "Diameter of the plate; usual are 400 to 1200 mm."),
@@ -19,16 +25,19 @@ def _make(values: Values) -> LibraryPart:
     radius, thick, height = values["diameter"] / 2.0, values["thickness"], values["height"]
     drum = values["drum_diameter"] / 2.0
     bearing = 0.012
-    mark = block(
-        (0.02, 0.04, 0.6 * thick), (radius, 0.0, -0.5 * thick), "#e2702b"
-    )  # stands out at the edge, below the upper side
-    plate = upright(radius, -thick, 0.0, STEEL, Material.STEEL)
-    base = (
-        upright(0.9 * drum, -thick - bearing, -thick, DARK),
-        upright(drum, -height + _FOOT, -thick - bearing, BODY),
-        block((2.2 * drum, 2.2 * drum, _FOOT), (0.0, 0.0, -height + _FOOT / 2.0), DARK),
+    rim, edge = radius - _GROOVE, -_UPPER * thick
+    outer = sqrt(radius**2 - _MARK**2)  # of the mark, whose corners are at the edge of the plate
+    mark = block((_MARK, 2.0 * _MARK, thick + edge), (outer - _MARK / 2.0, 0.0, (edge - thick) / 2.0), ORANGE)
+    plate = (
+        upright(radius, edge, 0.0, STEEL_GREY, Material.STEEL),
+        upright(rim, -thick, edge, STEEL_GREY, Material.STEEL),
     )
-    return LibraryPart(base, (plate, mark), colour=STEEL)
+    base = (
+        upright(0.9 * drum, -thick - bearing, -thick, DARK_GREY),
+        upright(drum, -height + _FOOT, -thick - bearing, HOUSING),
+        block((2.2 * drum, 2.2 * drum, _FOOT), (0.0, 0.0, -height + _FOOT / 2.0), DARK_GREY),
+    )
+    return LibraryPart(base, (*plate, mark), colour=STEEL_GREY)
 
 
 TURNTABLE = PartKind(
@@ -38,5 +47,5 @@ TURNTABLE = PartKind(
     "In the middle of the plate, on its upper side; it turns about z. The floor is `height` below.",
     _PARAMETERS,
     _make,
-    at_most=(("drum_diameter", "diameter"),),
+    at_most=(AtMost("drum_diameter", "diameter"),),
 )

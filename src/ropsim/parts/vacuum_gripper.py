@@ -2,15 +2,26 @@
 
 from itertools import product
 
-from ropsim.model import Gripper, Material, Revolve, Shape
-from ropsim.parts.elements import BODY, DARK, RUBBER, STEEL, at, block, length_of, tool_parameters, upright
+from ropsim.model import STEEL_GREY, Gripper, Material, Revolve, Shape
+from ropsim.parts.elements import (
+    ADAPTER,
+    HOUSING,
+    RUBBER,
+    adapter_plate,
+    block,
+    housing,
+    length_of,
+    tool_parameters,
+    upright,
+)
 from ropsim.parts.gripper_products import VACUUM_PRODUCTS
-from ropsim.parts.part_kind import LibraryPart, Measure, Parameter, PartKind, Use, Values
+from ropsim.parts.part_kind import TCP, AtMost, LibraryPart, Measure, Parameter, PartKind, Use, Values
 from ropsim.parts.solid_mass import filled, with_com
+from ropsim.spatial import translation
 
-_PLATE = 0.012  # [m], thickness of the adapter plate
 _CARRIER = 0.012  # [m], thickness of the plate that carries the cups
 _CAPTURE = 0.01  # [m]
+_SHORTEST = 0.02  # [m], of a housing
 
 _PARAMETERS = (
     length_of("cup_diameter", 0.04, 0.005, 0.2, "Diameter of a suction cup."),
@@ -28,36 +39,40 @@ _PARAMETERS = (
 
 def _make(values: Values) -> LibraryPart:
     """Return a vacuum gripper; its TCP is in the middle of the cups, at their lips."""
-    width, depth, length = values["body_width"], values["body_depth"], values["body_length"]
-    radius, pitch = values["flange_diameter"] / 2.0, values["pitch"]
+    body, cup = _lengths(values)
+    pitch, lip = values["pitch"], values["cup_diameter"] / 2.0
     columns, rows = round(values["cups_x"]), round(values["cups_y"])
-    bottom = _PLATE + length
-    carrier = bottom + _CARRIER
-    across = values["cup_diameter"] / 2.0
-    extent_x, extent_y = (max(0.0, (count - 1) * pitch) + across for count in (columns, rows))
-    housing = (
-        upright(radius, 0.0, 0.7 * _PLATE, STEEL, Material.STEEL),
-        upright(0.8 * radius, 0.7 * _PLATE, _PLATE, DARK),
-        block((depth, width, length), (0.0, 0.0, _PLATE + length / 2.0), BODY),
-        block((1.02 * depth, 0.7 * width, 0.5 * length), (0.0, 0.0, _PLATE + length / 2.0), DARK),
-        block((extent_x, extent_y, _CARRIER), (0.0, 0.0, bottom + _CARRIER / 2.0), STEEL, Material.STEEL),
-    )
-    cups = tuple(
+    bottom = ADAPTER + body
+    extent = ((columns - 1) * pitch + lip, (rows - 1) * pitch + lip, _CARRIER)
+    cups = (
         shape
         for column, row in product(range(columns), range(rows))
         for shape in _cup(
             (column - 0.5 * (columns - 1)) * pitch,
             (row - 0.5 * (rows - 1)) * pitch,
-            carrier,
-            values["cup_length"],
-            across,
+            bottom + _CARRIER,
+            cup,
+            lip,
         )
     )
-    shapes = (*housing, *cups)
+    shapes = (
+        *adapter_plate(values["flange_diameter"]),
+        *housing((values["body_depth"], values["body_width"], body), (1.02, 0.7, 0.5)),
+        block(extent, (0.0, 0.0, bottom + _CARRIER / 2.0), STEEL_GREY, Material.STEEL),
+        *cups,
+    )
     load = with_com(filled(shapes, values["mass"]), values.get("com"))
     gripper = Gripper(values["open_time"], values["close_time"], _CAPTURE)
-    X_MT = at(0.0, 0.0, carrier + values["cup_length"])
-    return LibraryPart(shapes, (), load, X_MT, gripper, BODY)
+    return LibraryPart(shapes, (), load, translation(0.0, 0.0, bottom + _CARRIER + cup), gripper, HOUSING)
+
+
+def _lengths(values: Values) -> tuple[float, float]:
+    """Return the lengths of housing and cups, which reach to a given TCP [m]."""
+    if TCP not in values:
+        return values["body_length"], values["cup_length"]
+    both = values[TCP] - ADAPTER - _CARRIER
+    cup = min(values["cup_length"], both - _SHORTEST)
+    return both - cup, cup
 
 
 def _cup(x: float, y: float, top: float, length: float, radius: float) -> tuple[Shape, Shape]:
@@ -77,8 +92,8 @@ def _cup(x: float, y: float, top: float, length: float, radius: float) -> tuple[
         )
     )
     return (
-        upright(0.35 * radius, top, top + stem, STEEL, Material.STEEL, x, y),
-        Shape(bellows, at(x, y, top + stem), RUBBER, material=Material.RUBBER),
+        upright(0.35 * radius, top, top + stem, STEEL_GREY, Material.STEEL, x, y),
+        Shape(bellows, translation(x, y, top + stem), RUBBER, material=Material.RUBBER),
     )
 
 
@@ -90,5 +105,5 @@ VACUUM_GRIPPER = PartKind(
     _PARAMETERS,
     _make,
     VACUUM_PRODUCTS,
-    (("cup_diameter", "pitch"),),
+    (AtMost("cup_diameter", "pitch", of_several=("cups_x", "cups_y")),),
 )

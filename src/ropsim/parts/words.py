@@ -1,9 +1,9 @@
 """Values of part parameters in words, as lists and pages show them: millimetres, kilograms, seconds."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
-from ropsim.parts.part_kind import Fact, Measure, Parameter, PartKind, Values
+from ropsim.parts.part_kind import AtMost, Fact, Measure, Parameter, PartKind, Product, Values
 
 UNITS: Mapping[Measure, tuple[float, str]] = MappingProxyType(
     {
@@ -40,3 +40,36 @@ def fact_words(fact: Fact) -> str:
     """Return a further figure of a product, such as `grip force 15 to 50 N`."""
     joint = " to " if len(fact.values) == 2 else " x "
     return f"{fact.name} {joint.join(f'{value:g}' for value in fact.values)} {fact.unit}"
+
+
+def bound_words(bound: AtMost) -> str:
+    """Return a bound, such as `drum_diameter` is at most `diameter`."""
+    counts = " or ".join(f"`{name}`" for name in bound.of_several)
+    return f"`{bound.small}` is at most `{bound.large}`" + (f" where {counts} is above 1" if counts else "")
+
+
+def beyond_words(kind: str, parameter: Parameter, value: float) -> str:
+    """Return what is wrong with a value [SI] that its parameter does not allow."""
+    whole = "a whole number from " if parameter.measure is Measure.COUNT else ""
+    found, low, high = (f"{number:g}" for number in (value, parameter.low, parameter.high))
+    return f"`{parameter.name}` of `{kind}` is {found}, allowed is {whole}{low} to {high}, in SI units"
+
+
+def conflict_words(name: str, conflict: tuple[Parameter, Parameter], shown: Sequence[str]) -> tuple[str, str]:
+    """Return message and hint for a parameter above another one.
+
+    Args:
+        name: of the first one, as the message calls it.
+        conflict: both, as `PartKind.conflict` returns them.
+        shown: their values with units.
+    """
+    small, large = conflict
+    return (
+        f"`{name}` is {shown[0]}, above `{large.name}`, which is {shown[1]}",
+        f"write a smaller `{small.name}` or a larger `{large.name}`",
+    )
+
+
+def tcp_words(kind: PartKind, product: Product | None, distance: float) -> str:
+    """Return where the TCP of a tool is and how that is known, such as `TCP at 103.4 mm (published)`."""
+    return f"TCP at {1e3 * distance:.4g} mm ({kind.tcp_origin(product).value})"

@@ -125,21 +125,6 @@ estimate`, or `total_mass` and `payload` in a robot file. The rules are in docs/
 """,
 )
 
-UNLIKELY_PAYLOAD = define(
-    "X926",
-    "unlikely-payload",
-    Severity.WARNING,
-    "an arm shall carry more than it weighs",
-    """
-Arms weigh twice to twenty times their rated payload. Torque limits, rotors and accelerations are estimated
-for the rated payload, so one that is too large makes an arm that is far too strong, and cycle times that are
-too short. Payloads are in kilograms: most often the number is in grams, or that of another arm.
-
-**How to mend it.** Give the payload of the data sheet: `--payload` of `ropsim robot estimate`, or `payload`
-in a robot file.
-""",
-)
-
 BAD_COUPLED_ROW = define(
     "X915",
     "bad-coupled-row",

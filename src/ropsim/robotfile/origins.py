@@ -2,13 +2,13 @@
 
 from collections.abc import Sequence
 
-from ropsim.model import ParameterOrigin
+from ropsim.model import OriginKind, ParameterOrigin
 from ropsim.robotfile.dh_table import RISE, SPEEDS, TO_FULL_SPEED, DhTable
 from ropsim.robotfile.estimation.link_masses import DENSITY
 from ropsim.robotfile.links import Links
 from ropsim.tomltext import TomlTable
 
-_KINDS = ("measured", "published", "derived", "estimated")
+_KINDS = tuple(kind.value for kind in OriginKind)
 _RULE = f"shares of the mass of the arm by its class, as cylinders of {DENSITY:g} kg/m³ from joint to joint"
 
 
@@ -24,9 +24,11 @@ def read_origins(root: TomlTable, name: str) -> tuple[ParameterOrigin, ...]:
     given = [_origin(row) for row in rows]
     whole = "all other numbers of its file" if rows else "all numbers of its file"
     if source:
-        return (*given, ParameterOrigin(whole, "published", source))
+        return (*given, ParameterOrigin(whole, OriginKind.PUBLISHED, source))
     return (
-        tuple(given) if given else (ParameterOrigin(whole, "derived", f"as in {name}; it names no source"),)
+        tuple(given)
+        if given
+        else (ParameterOrigin(whole, OriginKind.DERIVED, f"as in {name}; it names no source"),)
     )
 
 
@@ -34,16 +36,20 @@ def estimates(table: DhTable, links: Links) -> tuple[ParameterOrigin, ...]:
     """Return the groups of parameters that rules of the reader have made, with these rules."""
     found = []
     if table.estimated:
-        found.append(ParameterOrigin(f"joint {_and(table.estimated)}", "estimated", _limits_rule(table)))
+        found.append(
+            ParameterOrigin(f"joint {_and(table.estimated)}", OriginKind.ESTIMATED, _limits_rule(table))
+        )
     if links.estimated and links.has_mass:
-        found.append(ParameterOrigin(_and(links.estimated), "estimated", _RULE))
+        found.append(ParameterOrigin(_and(links.estimated), OriginKind.ESTIMATED, _RULE))
     return tuple(found)
 
 
 def _origin(table: TomlTable) -> ParameterOrigin:
     table.require("parameters", "kind", "source")
     origin = ParameterOrigin(
-        table.text("parameters", ""), table.choice("kind", _KINDS, "derived"), table.text("source", "")
+        table.text("parameters", ""),
+        OriginKind(table.choice("kind", _KINDS, "derived")),
+        table.text("source", ""),
     )
     table.finish()
     return origin

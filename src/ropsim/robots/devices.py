@@ -1,16 +1,12 @@
 """Mechanisms of devices: one axis each, of a belt, a slide or a turntable; without drives."""
 
-import math
 from dataclasses import replace
 
 from ropsim.model import Box, Joint, JointType, Link, Material, Mechanism, Shape, rod
-from ropsim.spatial import Pose, frozen
+from ropsim.spatial import ALONG_X, Pose, frozen, translation
 
 _FREE = 1e9
 """Limit of an axis without a limit [rad | m]."""
-
-_ALONG_X = Pose(frozen([0.0, 0.0, 0.0]), frozen([math.sqrt(0.5), 0.0, math.sqrt(0.5), 0.0]))
-"""Turns z into x: the axis of a joint is its z axis."""
 
 _DARK, _STEEL = "#3d4248", "#9aa0a6"
 
@@ -30,13 +26,13 @@ def conveyor(length: float, width: float, height: float, colour: str = _DARK) ->
     base = (
         Shape(
             Box((length, width, thick)),
-            _at(length / 2.0, 0.0, -thick / 2.0),
+            translation(length / 2.0, 0.0, -thick / 2.0),
             colour,
             material=Material.RUBBER,
         ),
         Shape(
             Box((length, 0.8 * width, height - thick)),
-            _at(length / 2.0, 0.0, -(height + thick) / 2.0),
+            translation(length / 2.0, 0.0, -(height + thick) / 2.0),
             _STEEL,
         ),
     )
@@ -50,7 +46,7 @@ def shaped_conveyor(shapes: tuple[Shape, ...]) -> Mechanism:
         shapes: of belt and frame in the base frame, which is at the start of the belt, amid its surface, with
             x along it.
     """
-    return _mechanism("conveyor", "Conveyor", JointType.PRISMATIC, _ALONG_X, (), shapes)
+    return _mechanism("conveyor", "Conveyor", JointType.PRISMATIC, ALONG_X, (), shapes)
 
 
 def slide(shapes: tuple[Shape, ...]) -> Mechanism:
@@ -59,9 +55,8 @@ def slide(shapes: tuple[Shape, ...]) -> Mechanism:
     Args:
         shapes: of the body, in its frame, which is the base frame at coordinate 0.
     """
-    back = Pose(_ALONG_X.position, _ALONG_X.inverse().orientation)
-    turned = tuple(replace(one, pose=back @ one.pose) for one in shapes)
-    return _mechanism("slide", "Slide", JointType.PRISMATIC, _ALONG_X, turned, ())
+    turned = tuple(replace(one, pose=ALONG_X.inverse() @ one.pose) for one in shapes)
+    return _mechanism("slide", "Slide", JointType.PRISMATIC, ALONG_X, turned, ())
 
 
 def rotary(shapes: tuple[Shape, ...], base: tuple[Shape, ...] | None = None) -> Mechanism:
@@ -74,10 +69,6 @@ def rotary(shapes: tuple[Shape, ...], base: tuple[Shape, ...] | None = None) -> 
     post = rod([0.0, 0.0, -0.06], [0.0, 0.0, -0.05], 0.05, colour=_STEEL)
     carrier = (post,) if base is None else base
     return _mechanism("rotary", "Turntable", JointType.REVOLUTE, Pose(), shapes, carrier)
-
-
-def _at(x: float, y: float, z: float) -> Pose:
-    return Pose(frozen([x, y, z]))
 
 
 def _mechanism(

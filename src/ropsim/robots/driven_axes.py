@@ -14,6 +14,7 @@ from ropsim.model import (
     JointType,
     Link,
     Mechanism,
+    OriginKind,
     ParameterOrigin,
     RobotModel,
     Shape,
@@ -31,7 +32,9 @@ _RISE = 10.0  # [1/s], greatest jerk over greatest acceleration, as in the libra
 _RATIOS = {JointType.PRISMATIC: 200.0, JointType.REVOLUTE: 100.0}  # [rad/m | -]
 _ESTIMATE = (
     ParameterOrigin(
-        "drive", "estimated", "made for the load, speed and acceleration of the axis, with half as much again"
+        "drive",
+        OriginKind.ESTIMATED,
+        "made for the load, speed and acceleration of the axis, with half as much again",
     ),
 )
 

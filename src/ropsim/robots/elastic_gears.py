@@ -3,9 +3,11 @@
 A law receives coordinates of the joints and speeds of the motors. A loop of the motor speed damps the arm on
 its springs, while it is slower than the oscillation of the arm with held motors (W. Leonhard, Control of
 Electrical Drives, 3rd ed., Springer 2001, on drives with elastic couplings), and the loop of the joint
-coordinate lets it swing where it is stiffer than the gear: the motor about a joint that swings is at θ/q = (k
-- kv·kp + i·ki·kp/ω) / (k + ki - J·ω² + i·ω·kv), so that a slow loop takes energy out of the swing for kv·kp <
-k.
+coordinate lets it swing where it is stiffer than the gear: the motor about a joint that swings is at
+
+    θ/q = (k - kv·kp + i·ki·kp/ω) / (k + ki - J·ω² + i·ω·kv),
+
+so that a slow loop takes energy out of the swing for kv·kp < k.
 """
 
 import numpy as np

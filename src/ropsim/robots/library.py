@@ -66,7 +66,7 @@ def _controller(robot: Mechanism, rates: Rates) -> ControllerModel:
 
 @lru_cache(maxsize=1)
 def stored_names() -> tuple[str, ...]:
-    """Return the names of the robots that are there, in their order."""
+    """Return the names of the robots that come as files, in their order."""
     return tuple(sorted(path.stem for path in _folder().glob(f"*{_ENDING}")))
 
 

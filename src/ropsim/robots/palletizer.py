@@ -23,6 +23,7 @@ from ropsim.model import (
     JointLimits,
     JointType,
     Link,
+    OriginKind,
     ParameterOrigin,
     RobotModel,
     limited,
@@ -57,21 +58,21 @@ _COUPLINGS = (
 _ORIGINS = (
     ParameterOrigin(
         "link lengths, limits, masses, moments of inertia",
-        "estimated",
+        OriginKind.ESTIMATED,
         "round numbers between those of palletizers for 100 to 200 kg with about 3 m reach",
     ),
     ParameterOrigin(
         "limits of the elbow",
-        "estimated",
+        OriginKind.ESTIMATED,
         "the forearm stays 25° from the lower arm drawn on and 25° from lying back on it, where the "
         "parallelogram of crank and rod folds flat; catalogues limit axes 2 and 3 together in this way",
     ),
     ParameterOrigin(
         "motors, gears, friction",
-        "estimated",
+        OriginKind.ESTIMATED,
         "servo motors with current loops faster than the control period; torques that carry 120 kg",
     ),
-    ParameterOrigin("home position and drawn shapes", "estimated", "forearm level; by eye"),
+    ParameterOrigin("home position and drawn shapes", OriginKind.ESTIMATED, "forearm level; by eye"),
 )
 
 

@@ -14,6 +14,7 @@ from ropsim.model import (
     Gear,
     JointLimits,
     Link,
+    OriginKind,
     ParameterOrigin,
     RobotModel,
     VoltageAmplifier,
@@ -87,52 +88,60 @@ _TOOLBOX = "petercorke/robotics-toolbox-python, models/DH/Puma560.py (MIT)"
 
 _ORIGINS = (
     ParameterOrigin(
-        "link lengths", "published", f"standard DH as in {_TOOLBOX}; pedestal of 26.45 in: d1 = 0.67183 m"
+        "link lengths",
+        OriginKind.PUBLISHED,
+        f"standard DH as in {_TOOLBOX}; pedestal of 26.45 in: d1 = 0.67183 m",
     ),
     ParameterOrigin(
         "joint position limits",
-        "published",
+        OriginKind.PUBLISHED,
         "Fu, Gonzalez & Lee, Robotics, 1987, Table 2.1, brought into this DH form",
     ),
     ParameterOrigin(
-        "masses, centres of mass, moments of inertia", "published", f"{_CORKE}, as in {_TOOLBOX}"
+        "masses, centres of mass, moments of inertia", OriginKind.PUBLISHED, f"{_CORKE}, as in {_TOOLBOX}"
     ),
-    ParameterOrigin("gear ratios, rotor inertias, friction", "published", f"{_CORKE}, as in {_TOOLBOX}"),
+    ParameterOrigin(
+        "gear ratios, rotor inertias, friction", OriginKind.PUBLISHED, f"{_CORKE}, as in {_TOOLBOX}"
+    ),
     ParameterOrigin(
         "joint speed limits",
-        "derived",
+        OriginKind.DERIVED,
         "Corke, Visual Control of Robots, 1996, Tables 2.9, 2.18 and 2.21: motor speed at voltage saturation "
         "divided by the gear ratio (read at second hand)",
     ),
     ParameterOrigin(
         "joint torque limits",
-        "published",
+        OriginKind.PUBLISHED,
         "Armstrong, Khatib & Burdick, IEEE ICRA 1986, Table 7 (read at second hand)",
     ),
     ParameterOrigin(
         "joint acceleration and jerk limits",
-        "estimated",
+        OriginKind.ESTIMATED,
         "a tenth to a third of what the torque limits allow with the largest inertias; jerk ten times that "
         "per second",
     ),
     ParameterOrigin(
         "motor constants",
-        "estimated",
+        OriginKind.ESTIMATED,
         "one motor type for joints 1 to 3 and one for the wrist, chosen so "
         "that back-EMF, friction and gravity at the speed limit stay below the amplifier's voltage",
     ),
     ParameterOrigin(
         "amplifier voltage and current",
-        "estimated",
+        OriginKind.ESTIMATED,
         "40 V; currents that give the joint torque limits with the motor constants",
     ),
     ParameterOrigin(
-        "friction smoothing speed", "estimated", "0.3 degrees per second, far below any programmed speed"
+        "friction smoothing speed",
+        OriginKind.ESTIMATED,
+        "0.3 degrees per second, far below any programmed speed",
     ),
-    ParameterOrigin("home position", "estimated", "elbow up, tool straight down in front, clear of limits"),
+    ParameterOrigin(
+        "home position", OriginKind.ESTIMATED, "elbow up, tool straight down in front, clear of limits"
+    ),
     ParameterOrigin(
         "drawn shapes",
-        "estimated",
+        OriginKind.ESTIMATED,
         "drawn by eye around the link lengths; collisions are looked for with these shapes",
     ),
 )

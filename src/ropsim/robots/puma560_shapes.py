@@ -9,13 +9,11 @@ from math import sqrt
 
 import numpy as np
 
-from ropsim.model import Box, Material, Prism, Revolve, Shape, Sphere, around, rod
-from ropsim.spatial import Pose
+from ropsim.model import DARK_GREY, STEEL_GREY, Box, Material, Prism, Revolve, Shape, Sphere, around, rod
+from ropsim.spatial import Pose, translation
 
 _WHITE = "#e6e8ea"
 _SHADE = "#cfd4d8"
-_DARK = "#3d464f"
-_STEEL = "#a3abb3"
 _ACCENT = "#e2702b"
 
 _SHOULDER = 0.67183  # height of axis 2 [m]
@@ -39,10 +37,10 @@ def base() -> tuple[Shape, ...]:
     collar = Revolve(((0.09, 0.512), (0.098, 0.516), (0.098, 0.53), (0.0, 0.53)))
     box = Box((0.09, 0.13, 0.11))  # connectors at the back of the foot
     return (
-        Shape(foot, _PLAIN, _DARK),
+        Shape(foot, _PLAIN, DARK_GREY),
         Shape(trunk, _PLAIN, _WHITE),
-        Shape(collar, _PLAIN, _DARK),
-        Shape(box, Pose(np.array([-0.105, 0.0, 0.085])), _DARK),
+        Shape(collar, _PLAIN, DARK_GREY),
+        Shape(box, Pose(np.array([-0.105, 0.0, 0.085])), DARK_GREY),
     )
 
 
@@ -57,8 +55,8 @@ def _link1() -> tuple[Shape, ...]:
     return (
         Shape(neck, _PLAIN, _WHITE),
         rod((0.0, 0.105, _SHOULDER), (0.0, -0.1, _SHOULDER), 0.095, None, _WHITE),
-        rod((0.0, 0.118, _SHOULDER), (0.0, 0.105, _SHOULDER), 0.082, 0.09, _DARK),
-        rod((0.0, -0.1, _SHOULDER), (0.0, -0.112, _SHOULDER), 0.088, None, _DARK),
+        rod((0.0, 0.118, _SHOULDER), (0.0, 0.105, _SHOULDER), 0.082, 0.09, DARK_GREY),
+        rod((0.0, -0.1, _SHOULDER), (0.0, -0.112, _SHOULDER), 0.088, None, DARK_GREY),
     )
 
 
@@ -69,8 +67,8 @@ def _link2() -> tuple[Shape, ...]:
     cover = Prism(around(((-0.06, 0.0, 0.066), (0.1, 0.0, 0.07), (0.33, 0.0, 0.05))), 0.008)
     return (
         rod((0.0, 0.0, 0.112), (0.0, 0.0, low), 0.08, None, _WHITE),
-        Shape(plate, _at(0.0, 0.0, low), _WHITE),
-        Shape(cover, _at(0.0, 0.0, high), _SHADE),
+        Shape(plate, translation(0.0, 0.0, low), _WHITE),
+        Shape(cover, translation(0.0, 0.0, high), _SHADE),
         rod((_UPPER_ARM, 0.0, high), (_UPPER_ARM, 0.0, high + 0.012), 0.052, 0.048, _ACCENT),
     )
 
@@ -81,9 +79,9 @@ def _link3() -> tuple[Shape, ...]:
     plate = Prism(around(((-0.005, -0.075, 0.062), (0.0, 0.0, 0.078), (_ELBOW, 0.265, 0.046))), high - low)
     cover = Prism(around(((0.0, -0.06, 0.042), (_ELBOW, 0.2, 0.032))), 0.007)
     return (
-        rod((0.0, 0.0, high), (0.0, 0.0, _UPPER[0]), 0.066, None, _DARK),
-        Shape(plate, _at(0.0, 0.0, low), _WHITE),
-        Shape(cover, _at(0.0, 0.0, low - 0.007), _SHADE),
+        rod((0.0, 0.0, high), (0.0, 0.0, _UPPER[0]), 0.066, None, DARK_GREY),
+        Shape(plate, translation(0.0, 0.0, low), _WHITE),
+        Shape(cover, translation(0.0, 0.0, low - 0.007), _SHADE),
         rod((_ELBOW, 0.29, _OFFSET), (_ELBOW, 0.325, _OFFSET), 0.043, 0.038, _WHITE),
         rod((_ELBOW, 0.325, _OFFSET), (_ELBOW, 0.333, _OFFSET), 0.04, None, _ACCENT),
     )
@@ -95,11 +93,11 @@ def _link4() -> tuple[Shape, ...]:
     sleeve = Revolve(((0.0, -0.099), (0.037, -0.099), (0.037, -0.066), (0.043, -0.055), (0.0, -0.055)))
     upright = np.array([1.0, 1.0, 0.0, 0.0]) / sqrt(2.0)  # x stays, y becomes z of the frame, z becomes -y
     return (
-        Shape(sleeve, _at(0.0, 0.0, _FOREARM), _WHITE),
+        Shape(sleeve, translation(0.0, 0.0, _FOREARM), _WHITE),
         Shape(cheek, Pose(np.array([0.0, 0.044, _FOREARM]), upright), _WHITE),
         Shape(cheek, Pose(np.array([0.0, -0.032, _FOREARM]), upright), _WHITE),
-        rod((0.0, 0.044, _FOREARM), (0.0, 0.05, _FOREARM), 0.022, 0.02, _DARK),
-        rod((0.0, -0.044, _FOREARM), (0.0, -0.05, _FOREARM), 0.022, 0.02, _DARK),
+        rod((0.0, 0.044, _FOREARM), (0.0, 0.05, _FOREARM), 0.022, 0.02, DARK_GREY),
+        rod((0.0, -0.044, _FOREARM), (0.0, -0.05, _FOREARM), 0.022, 0.02, DARK_GREY),
     )
 
 
@@ -115,11 +113,6 @@ def _link5() -> tuple[Shape, ...]:
 def _link6() -> tuple[Shape, ...]:
     """The flange, a disc across z."""
     return (
-        rod((0.0, 0.0, 0.038), (0.0, 0.0, 0.044), 0.024, None, _DARK),
-        rod((0.0, 0.0, 0.044), (0.0, 0.0, _FLANGE), 0.0315, None, _STEEL, Material.STEEL),
+        rod((0.0, 0.0, 0.038), (0.0, 0.0, 0.044), 0.024, None, DARK_GREY),
+        rod((0.0, 0.0, 0.044), (0.0, 0.0, _FLANGE), 0.0315, None, STEEL_GREY, Material.STEEL),
     )
-
-
-def _at(x: float, y: float, z: float) -> Pose:
-    """Return a place without a turn [m]."""
-    return Pose(np.array([x, y, z]))

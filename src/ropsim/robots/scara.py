@@ -14,6 +14,7 @@ from ropsim.model import (
     JointLimits,
     JointType,
     Link,
+    OriginKind,
     ParameterOrigin,
     RobotModel,
     interface_from_dh,
@@ -52,25 +53,27 @@ _DRIVES = (
 _ORIGINS = (
     ParameterOrigin(
         "link lengths and stroke",
-        "published",
+        OriginKind.PUBLISHED,
         "Adept Cobra 600 as in petercorke/robotics-toolbox-python, models/DH/Cobra600.py (MIT)",
     ),
     ParameterOrigin(
-        "joint limits", "estimated", "the usual range, speeds and accelerations of SCARA arms of this size"
+        "joint limits",
+        OriginKind.ESTIMATED,
+        "the usual range, speeds and accelerations of SCARA arms of this size",
     ),
     ParameterOrigin(
         "masses, centres of mass, moments of inertia",
-        "estimated",
+        OriginKind.ESTIMATED,
         "about 41 kg in all with the base, spread over the arm as slender castings",
     ),
     ParameterOrigin(
         "motors, gears, friction",
-        "estimated",
+        OriginKind.ESTIMATED,
         "servo motors with current loops faster than the control period, harmonic drives and a ball screw, "
         "chosen so that the acceleration limits take half of their torque",
     ),
     ParameterOrigin(
-        "home position and drawn shapes", "estimated", "bent to the right, quill halfway; by eye"
+        "home position and drawn shapes", OriginKind.ESTIMATED, "bent to the right, quill halfway; by eye"
     ),
 )
 

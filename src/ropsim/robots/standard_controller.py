@@ -22,6 +22,7 @@ from ropsim.model import (
     InputKind,
     Mechanism,
     NoGains,
+    OriginKind,
     ParameterOrigin,
     PathDefaults,
     Rates,
@@ -62,8 +63,7 @@ Coulomb friction that vanishes at a stop is made up for within the last millisec
 
 TORQUE_SHARE = 0.06
 """Rate at which errors die out under computed torque [rad/s] over the control rate [Hz]: the held output
-costs
-about 7 degrees where its speed loop, twice as fast, crosses over."""
+costs about 7 degrees where its speed loop, twice as fast, crosses over."""
 
 IN_POSITION = 0.2e-3
 """Window of a fine stop [rad | m]."""
@@ -193,7 +193,7 @@ def _law(robot: Mechanism, rates: Rates) -> tuple[ControllerKind, Gains, tuple[P
     if not robot.drives:
         return ControllerKind.IDEAL, NoGains(), ()
     if all(map(_is_direct, robot.drives)):
-        origin = ParameterOrigin("controller gains", "derived", _torque_statement(rates))
+        origin = ParameterOrigin("controller gains", OriginKind.DERIVED, _torque_statement(rates))
         return ControllerKind.COMPUTED_TORQUE, standard_torque_gains(robot, rates), (origin,)
     gains, hydraulic = standard_gains(robot, rates), len(hydraulic_axes(robot))
     statements = [] if hydraulic == robot.n else [_statement(robot, rates)]
@@ -201,7 +201,7 @@ def _law(robot: Mechanism, rates: Rates) -> tuple[ControllerKind, Gains, tuple[P
         crossover = hydraulic_crossover(robot, rates)
         gains = with_hydraulic_axes(gains, robot, crossover)
         statements.append(hydraulic_statement(crossover))
-    origin = ParameterOrigin("controller gains", "derived", "; ".join(statements))
+    origin = ParameterOrigin("controller gains", OriginKind.DERIVED, "; ".join(statements))
     return ControllerKind.CASCADED_P_PI, gains, (origin,)
 
 

@@ -5,10 +5,12 @@ from functools import lru_cache
 from math import pi
 
 from ropsim.model import (
+    DARK_GREY,
     Box,
     DhRow,
     JointLimits,
     Link,
+    OriginKind,
     ParameterOrigin,
     Prism,
     RobotModel,
@@ -52,15 +54,19 @@ def model() -> RobotModel:
         dh=_DH,
         origins=(
             ParameterOrigin(
-                "lengths and masses", "published", "two-link case of Corke's Robotics Toolbox (unit tests)"
+                "lengths and masses",
+                OriginKind.PUBLISHED,
+                "two-link case of Corke's Robotics Toolbox (unit tests)",
             ),
-            ParameterOrigin("limits and home position", "estimated", "round numbers for teaching"),
+            ParameterOrigin("limits and home position", OriginKind.ESTIMATED, "round numbers for teaching"),
             ParameterOrigin(
-                "drives", "estimated", "torque sources without inertia or friction; torques that carry 1 kg"
+                "drives",
+                OriginKind.ESTIMATED,
+                "torque sources without inertia or friction; torques that carry 1 kg",
             ),
         ),
         base_shapes=(
-            Shape(Box((0.3, 0.03, 0.3)), Pose(frozen([0.0, 0.115, 0.0])), "#3d464f"),
+            Shape(Box((0.3, 0.03, 0.3)), Pose(frozen([0.0, 0.115, 0.0])), DARK_GREY),
             rod((0.0, 0.1, 0.0), (0.0, 0.0, 0.0), 0.08, 0.06, "#6d7781"),
         ),
     )
@@ -70,10 +76,10 @@ def _links() -> tuple[Link, ...]:
     """Return two slats with round ends, the second in front of the first, on hubs about their axes."""
     slat = Prism(around(((0.0, 0.0, 0.06), (1.0, 0.0, 0.045))), 0.04)
     looks = (
-        (Shape(slat, Pose(), "#dfe3e6"), rod((1.0, 0.0, 0.04), (1.0, 0.0, 0.05), 0.03, None, "#3d464f")),
+        (Shape(slat, Pose(), "#dfe3e6"), rod((1.0, 0.0, 0.04), (1.0, 0.0, 0.05), 0.03, None, DARK_GREY)),
         (
             Shape(slat, Pose(frozen([0.0, 0.0, 0.05])), "#e2702b"),
-            rod((0.0, 0.0, 0.09), (0.0, 0.0, 0.1), 0.03, 0.025, "#3d464f"),
+            rod((0.0, 0.0, 0.09), (0.0, 0.0, 0.1), 0.03, 0.025, DARK_GREY),
         ),
     )
     bodies = links_from_dh(_DH, (1.0, 1.0), ((-0.5, 0.0, 0.0),) * 2, ((0.0, 0.0, 0.0),) * 2)

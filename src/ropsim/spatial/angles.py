@@ -4,11 +4,16 @@ from math import atan2, cos, hypot, pi, sin, sqrt
 
 import numpy as np
 
-from ropsim.spatial.pose import Pose
+from ropsim.spatial.pose import Pose, frozen
 from ropsim.spatial.quaternion import Quaternion, conjugate, from_zyx, multiply
 
 TOOL_FROM_APPROACH: Quaternion = (sqrt(0.5), 0.0, sqrt(0.5), 0.0)
 """Ry(90°): turns the approach axis +x of pitch, roll and yaw to the tool's z axis."""
+
+ALONG_X = Pose(orientation=frozen([sqrt(0.5), 0.0, sqrt(0.5), 0.0]))
+"""Ry(90°): turns z to x, and x against z."""
+ALONG_Y = Pose(orientation=frozen([sqrt(0.5), -sqrt(0.5), 0.0, 0.0]))
+"""Rx(-90°): turns z to y, and y against z."""
 
 _ROUNDING = 2e-15  # rad; angles nearer than that to quarter turns are quarter turns
 _UPRIGHT = 1e-9  # rad; an approach direction that is nearer than that to the vertical is vertical

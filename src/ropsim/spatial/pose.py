@@ -123,6 +123,11 @@ class Pose:
         return hash(self.as_tuple())
 
 
+def translation(x: float, y: float, z: float) -> Pose:
+    """Return the pose of a frame that is moved [m] and not turned."""
+    return Pose(frozen([x, y, z]))
+
+
 def _numbers(what: str, values: npt.ArrayLike, count: int) -> Array:
     try:
         array = frozen(values)

@@ -8,7 +8,7 @@ from ropsim.cellfile import asked_in_cell_file, meaning_of, read_cell
 from ropsim.core import Diagnostic, SourceText
 from ropsim.kinematics import joint_frames
 from ropsim.model import BeltDrive, Cell
-from ropsim.parts import PART_KINDS, PartKind, Use, library_part
+from ropsim.parts import PART_KINDS, PartKind, Use, kinds_for, library_part
 from ropsim.spatial import Pose
 
 ARM = '[robot]\nmodel = "ur10e"\nbase = { position = [0, 0, 500] }\n'
@@ -141,6 +141,7 @@ def test_a_turntable_has_a_plate_that_turns_and_a_drum_that_stands() -> None:
         ("eur_pallet", (2527, 327, 144), (140, 140, 100)),
         ("table", (2000, 0, 850), (300, 200, 100)),
         ("belt_conveyor", (2300, 0, 800), (300, 200, 100)),
+        ("roller_conveyor", (2300, 0, 800), (300, 200, 100)),
         ("turntable", (2100, 100, 400), (300, 200, 100)),
     ],
 )
@@ -181,6 +182,10 @@ def test_two_parameters_that_do_not_fit_are_one_finding() -> None:
     assert one.message.endswith("is 100 mm, above `pitch`, which is 80 mm")
 
 
+def test_a_single_cup_may_be_larger_than_the_pitch_of_several() -> None:
+    right(of_kind(PART_KINDS["vacuum_gripper"], ", cup_diameter = 100"))
+
+
 def test_measures_of_a_belt_stand_in_its_part_alone() -> None:
     one = wrong(of_kind(PART_KINDS["belt_conveyor"]) + "length = 1000\n")
     assert one.code == "X812"
@@ -189,7 +194,9 @@ def test_measures_of_a_belt_stand_in_its_part_alone() -> None:
 
 def test_a_turntable_is_no_conveyor() -> None:
     one = wrong(f'{ARM}{HEADS[Use.CONVEYOR]}part = {{ kind = "turntable" }}\n')
-    assert (one.code, one.hint) == ("X923", "for a device of the kind `conveyor`: `belt_conveyor`")
+    kinds = ", ".join(f"`{kind.name}`" for kind in kinds_for(Use.CONVEYOR))
+    assert (one.code, one.hint) == ("X923", f"for a device of the kind `conveyor`: {kinds}")
+    assert "`belt_conveyor`" in one.hint
 
 
 @pytest.mark.parametrize("kind", PART_KINDS.values(), ids=lambda kind: kind.name)

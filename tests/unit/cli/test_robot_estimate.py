@@ -34,11 +34,11 @@ def test_the_file_that_is_read_is_not_replaced(file: Path, capsys: pytest.Captur
     assert file.read_text("utf-8") == ARM
 
 
-@pytest.mark.parametrize(("payload", "doubted"), [("5000", True), ("19", True), ("17", False)])
+@pytest.mark.parametrize(("payload", "doubted"), [("5000", True), ("23", True), ("22", False)])
 def test_a_payload_above_the_mass_of_the_arm_is_doubted(
     payload: str, doubted: bool, file: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Its links have 9 + 6 + 3 kg."""
+    """Its links have 9 + 6 + 3 kg: four fifths of 22.5 kg."""
     made = file.with_name("made.toml")
     assert main(["robot", "estimate", str(file), str(made), "--payload", payload]) == 0
     written = capsys.readouterr()

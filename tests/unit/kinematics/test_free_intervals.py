@@ -187,3 +187,19 @@ def test_joints_with_a_whole_turn_between_their_limits_have_none() -> None:
     robot = ARMS["gen3"]
     limits = np.stack((robot.lower_limits, robot.upper_limits, turning_axes(robot)))
     assert np.isinf(narrow_limits(limits)).all(axis=0).tolist() == [i % 2 == 0 for i in range(7)]
+
+
+@pytest.mark.parametrize(
+    "q",
+    [
+        (1.75034, 1.92335, 0.12011, 0.001, 0.05867, 1.37934, 1.50727),
+        (0.14994, 2.00198, 0.13227, -0.0001, -2.52322, 0.40025, 1.42136),
+    ],
+)
+def test_the_intervals_of_an_almost_stretched_arm_are_whole(q: tuple[float, ...]) -> None:
+    """The curves of the elbow forth and back are next to each other, and are not followed into each other."""
+    robot = ARMS["iiwa14"]
+    pose = forward(robot, q)
+    found = free_intervals(robot, pose)
+    for value in np.linspace(-pi, pi, TRIED, endpoint=False):
+        assert answered(robot, pose, float(value)) == contains(found, float(value))

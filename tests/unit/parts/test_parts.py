@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 
 from ropsim.kinematics import joint_frames
-from ropsim.model import Box, Polyline, Shape
+from ropsim.model import Box, Cylinder, OriginKind, Polyline, Shape
 from ropsim.parts import (
     PART_KINDS,
     LibraryPart,
-    Origin,
     PartKind,
     PartValueError,
     Product,
@@ -24,7 +23,7 @@ from ropsim.views.testing import facets
 KINDS = list(PART_KINDS.values())
 PRODUCTS = [(kind, product) for kind in KINDS for product in kind.products]
 TOOLS = [kind for kind in KINDS if kind.use is Use.TOOL]
-MOST_SHAPES = 60
+MOST_SHAPES = 200
 
 
 def extremes(kind: PartKind) -> Iterator[dict[str, float]]:
@@ -33,17 +32,21 @@ def extremes(kind: PartKind) -> Iterator[dict[str, float]]:
         for end in (parameter.low, parameter.high):
             values = {parameter.name: end}
             complete = kind.defaults() | values
-            for small, large in kind.at_most:
-                if complete[small] > complete[large]:
-                    values[large if small == parameter.name else small] = end
+            for bound in kind.at_most:
+                if not bound.is_kept(complete):
+                    values[bound.large if bound.small == parameter.name else bound.small] = end
             yield values
 
 
 CORNERS = [(kind, values) for kind in KINDS for values in extremes(kind)]
 
 
-NEEDED = {"pitch": {"cups_x": 2.0}, "support_distance": {"length": 6.0}}
-"""What a parameter needs to show."""
+NEEDED = {
+    ("vacuum_gripper", "pitch"): {"cups_x": 2.0, "cup_diameter": 0.01},
+    ("belt_conveyor", "support_distance"): {"length": 6.0},
+    ("roller_conveyor", "support_distance"): {"length": 6.0},
+}
+"""What a parameter of a kind needs to show."""
 
 
 def bodies(part: LibraryPart) -> list[Shape]:
@@ -79,7 +82,7 @@ def test_a_kind_says_what_it_is_and_every_default_lies_in_its_range(kind: PartKi
         assert one.low < one.high
         assert one.default is None or one.low <= one.default <= one.high
         assert one.meaning.endswith(".")
-        assert one.source or one.origin is Origin.ESTIMATED
+        assert one.source or one.origin is OriginKind.ESTIMATED
     assert kind.conflict(kind.defaults()) is None
 
 
@@ -117,7 +120,7 @@ def test_every_parameter_can_be_at_either_end_of_its_range(kind: PartKind, value
 @pytest.mark.parametrize(("kind", "values"), CORNERS, ids=lambda one: str(one)[:40])
 def test_a_parameter_changes_the_part(kind: PartKind, values: dict[str, float]) -> None:
     (name, value), *_ = values.items()
-    others = NEEDED.get(name, {})
+    others = NEEDED.get((kind.name, name), {})
     if kind.defaults().get(name) != value:
         assert library_part(kind.name, "", **others, **values) != library_part(kind.name, "", **others)
 
@@ -181,6 +184,89 @@ def test_a_vacuum_gripper_has_its_cups_in_rows_and_columns() -> None:
     lips = lips[lips[:, 2] > lips[:, 2].max() - 1e-9]
     assert lips[:, 0].max() == pytest.approx(0.1 + 0.02)
     assert lips[:, 1].max() == pytest.approx(0.05 + 0.02, rel=1e-3)
+
+
+def test_a_single_cup_has_no_pitch() -> None:
+    cup = library_part("vacuum_gripper", cup_diameter=0.1)
+    ends = points(cup)
+    lips = ends[ends[:, 2] > ends[:, 2].max() - 1e-9]
+    assert lips[:, 0].max() == pytest.approx(0.05)
+    assert library_part("vacuum_gripper", cup_diameter=0.1, cups_x=2, pitch=0.1).shapes
+
+
+@pytest.mark.parametrize(
+    ("model", "distance"), [("franka_hand", 0.1034), ("robotiq_2f_85", None), ("franka_cobot_pump", 0.105)]
+)
+def test_the_tcp_of_a_product_is_the_published_one(model: str, distance: float | None) -> None:
+    """`tcp_xyz` of Franka's descriptions of its end effectors."""
+    kind = PART_KINDS["vacuum_gripper" if "pump" in model else "two_finger_gripper"]
+    part, product = library_part(kind.name, model), kind.product(model)
+    assert part.X_MT is not None
+    if distance is None:
+        assert kind.tcp_origin(product) is OriginKind.ESTIMATED
+    else:
+        assert part.X_MT.position == pytest.approx([0.0, 0.0, distance])
+        assert kind.tcp_origin(product) is OriginKind.PUBLISHED
+        assert kind.tcp_origin() is OriginKind.ESTIMATED
+
+
+@pytest.mark.parametrize("tcp", [0.06, 0.15, 1.0])
+@pytest.mark.parametrize("grip_depth", [0.0, 0.012, 0.05])
+def test_the_housing_is_made_for_a_given_tcp(tcp: float, grip_depth: float) -> None:
+    part = library_part("two_finger_gripper", tcp=tcp, grip_depth=grip_depth)
+    assert part.X_MT is not None
+    assert part.X_MT.position == pytest.approx([0.0, 0.0, tcp])
+    assert points(part)[:, 2].max() == pytest.approx(tcp + grip_depth)
+    assert all(min(one.solid.size) > 0.0 for one in bodies(part) if isinstance(one.solid, Box))
+    cups = library_part("vacuum_gripper", tcp=tcp)
+    assert points(cups)[:, 2].max() == pytest.approx(tcp)
+
+
+def test_the_edge_of_a_flange_is_the_margin_away_from_the_pitch_circle() -> None:
+    for margin in (0.001, 0.005, 0.02):
+        plate, *_ = library_part("flange", margin=margin).shapes
+        across = np.hypot(*facets(plate).reshape(-1, 3)[:, :2].T).max()
+        assert across == pytest.approx(0.025 + margin)
+    assert library_part("flange") == library_part("flange", margin=0.0065)
+
+
+def test_a_flange_with_large_screws_on_a_small_circle_has_a_centring_ring() -> None:
+    part = library_part("flange", pitch_circle=0.02, thread=0.02)
+    assert part.load.mass > 0.0
+    assert np.isfinite(points(part)).all()
+
+
+@pytest.mark.parametrize("diameter", [0.1, 0.8, 4.0])
+def test_a_turntable_stays_within_its_diameter_and_its_mark_is_seen(diameter: float) -> None:
+    part = library_part("turntable", diameter=diameter, drum_diameter=0.05)
+    *plates, mark = part.moving_shapes
+    corners = facets(mark).reshape(-1, 3)
+    away = np.hypot(*corners[:, :2].T)
+    assert away.max() == pytest.approx(diameter / 2.0)
+    assert np.hypot(*points(part)[:, :2].T).max() == pytest.approx(diameter / 2.0, rel=1e-3)
+    below = [one for one in plates if facets(one)[..., 2].max() < -1e-9]
+    assert all(np.hypot(*facets(one).reshape(-1, 3)[:, :2].T).max() < away.max() - 0.005 for one in below)
+    assert below
+
+
+def test_the_rollers_of_a_conveyor_are_level_and_no_further_apart_than_the_pitch() -> None:
+    part = library_part("roller_conveyor", length=3.0, height=0.75, pitch=0.12, roller_diameter=0.06)
+    corners = points(part)
+    assert (corners[:, 2].min(), corners[:, 2].max()) == pytest.approx((-0.75, 0.0))
+    assert (corners[:, 0].min(), corners[:, 0].max()) == pytest.approx((0.0, 3.0))
+    rollers = [one for one in part.shapes if isinstance(one.solid, Cylinder)]
+    places = sorted(float(one.pose.position[0]) for one in rollers)
+    steps = np.diff(places)
+    assert steps == pytest.approx(np.full(len(steps), steps[0]))
+    assert 0.12 * (1.0 - 1.0 / len(steps)) <= steps[0] <= 0.12
+    assert (places[0], places[-1]) == pytest.approx((0.03, 2.97))
+
+
+def test_a_parameter_without_a_value_keeps_any_bound() -> None:
+    kind = PART_KINDS["two_finger_gripper"]
+    values = {name: value for name, value in kind.defaults().items() if name != "finger_length"}
+    assert kind.conflict(values | {"grip_depth": 0.2}) is None
+    assert kind.conflict(kind.defaults() | {"grip_depth": 0.2}) is not None
 
 
 def test_a_flange_has_its_screws_on_the_pitch_circle_of_its_designation() -> None:
@@ -259,8 +345,10 @@ def test_an_unknown_name_is_refused_with_a_near_one(
     ("kind", "values", "words"),
     [
         ("fence", {"length": 100.0}, "`length` of `fence` is 100, allowed is 0.3 to 12"),
+        ("vacuum_gripper", {"cups_x": 2.5}, "`cups_x` of `vacuum_gripper` is 2.5, allowed is a whole number"),
+        ("vacuum_gripper", {"cups_x": float("nan")}, "allowed is a whole number from 1 to 4"),
         ("fence", {"length": float("nan")}, "`length` of `fence` is nan"),
-        ("vacuum_gripper", {"cup_diameter": 0.1}, "is 0.1, above `pitch`, which is 0.08"),
+        ("vacuum_gripper", {"cup_diameter": 0.1, "cups_y": 2.0}, "is 0.1, above `pitch`, which is 0.08"),
     ],
 )
 def test_a_value_that_does_not_fit_is_refused(kind: str, values: dict[str, float], words: str) -> None:

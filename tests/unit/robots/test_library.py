@@ -17,6 +17,14 @@ def test_all_names_load_a_robot_of_that_name() -> None:
     assert tuple(robots.load(name).name for name in names) == names
 
 
+def test_rated_payloads_that_makers_publish_are_in_the_models() -> None:
+    payloads = {"panda": 3.0, "iiwa14": 14.0, "ur5e": 5.0, "gp25": 25.0, "kr210_r2700_2": 210.0}
+    for name, payload in payloads.items():
+        robot = robots.load(name)
+        assert robot.rated_payload == payload
+        assert [one.kind for one in robot.origins if one.parameters == "rated payload"] == ["published"]
+
+
 def test_a_robot_is_made_once() -> None:
     assert robots.load("puma560") is robots.load("puma560")
 

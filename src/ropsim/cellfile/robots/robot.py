@@ -14,6 +14,7 @@ from ropsim.model import (
     CorrectionLimits,
     JointType,
     OrientationMode,
+    OriginKind,
     ParameterOrigin,
     PathDefaults,
     Rates,
@@ -226,7 +227,7 @@ def _limited(table: TomlTable, model: RobotModel, units: Units) -> RobotModel:
     given = [key for key in _LIMITS if key in table]
     if not given:
         return model
-    origin = ParameterOrigin(", ".join(given), "derived", "as in the cell file")
+    origin = ParameterOrigin(", ".join(given), OriginKind.DERIVED, "as in the cell file")
     return replace(with_axis_limits(model, *limits), origins=(*model.origins, origin))
 
 

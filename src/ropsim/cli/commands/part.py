@@ -12,10 +12,12 @@ from ropsim.parts import (
     Parameter,
     PartKind,
     Product,
+    bound_words,
     fact_words,
     library_part,
     part_kind,
     range_words,
+    tcp_words,
     value_words,
     values_words,
 )
@@ -55,7 +57,10 @@ def show(options: argparse.Namespace, output: Output) -> int:
     part = library_part(options.kind, options.model)
     lines = [f"{kind.name}: {kind.title}, for: {kind.use.value}", *_wrapped(f"frame: {kind.frame}", 2), ""]
     lines += _parameter_lines(kind)
-    lines += [f"{small} is at most {large}" for small, large in kind.at_most]
+    lines += [f"  {bound_words(bound)}" for bound in kind.at_most]
+    if part.X_MT is not None:
+        words = tcp_words(kind, kind.product(options.model), float(part.X_MT.position[2]))
+        lines += ["", f"  {options.model or 'without a model'}: {words}"]
     if kind.products:
         lines += ["", "models"]
     for product in kind.products:
@@ -92,6 +97,9 @@ def _product_lines(kind: PartKind, product: Product) -> Iterator[str]:
     yield from _wrapped(f"source: {product.source}", 6)
     if product.estimates:
         yield from _wrapped(f"estimated: {values_words(kind, product.estimates)}", 6)
+    X_MT = library_part(kind.name, product.name).X_MT
+    if X_MT is not None:
+        yield f"      {tcp_words(kind, product, float(X_MT.position[2]))}"
 
 
 def _wrapped(text: str, indent: int) -> list[str]:
@@ -109,7 +117,11 @@ def _document(kind: PartKind) -> Mapping[str, object]:
         "use": kind.use.value,
         "frame": kind.frame,
         "parameters": [_parameter_document(one) for one in kind.parameters],
-        "at_most": [list(pair) for pair in kind.at_most],
+        "at_most": [
+            {"small": one.small, "large": one.large, "of_several": list(one.of_several)}
+            for one in kind.at_most
+        ],
+        **_tcp_document(kind, None),
         "models": [
             {
                 "name": one.name,
@@ -118,6 +130,7 @@ def _document(kind: PartKind) -> Mapping[str, object]:
                 "origin": one.origin.value,
                 "source": one.source,
                 "estimated": dict(one.estimates),
+                **_tcp_document(kind, one),
                 "facts": [
                     {"name": fact.name, "values": list(fact.values), "unit": fact.unit} for fact in one.facts
                 ],
@@ -125,6 +138,14 @@ def _document(kind: PartKind) -> Mapping[str, object]:
             for one in kind.products
         ],
     }
+
+
+def _tcp_document(kind: PartKind, product: Product | None) -> Mapping[str, object]:
+    """Return the distance of the TCP of a tool from the mechanical interface [m] and its origin."""
+    X_MT = library_part(kind.name, product.name if product else "").X_MT
+    if X_MT is None:
+        return {}
+    return {"tcp": {"distance": float(X_MT.position[2]), "origin": kind.tcp_origin(product).value}}
 
 
 def _parameter_document(one: Parameter) -> Mapping[str, object]:

@@ -20,6 +20,7 @@ from ropsim.model import (
     INDEFINITE_INERTIA,
     MASSLESS_LINK,
     TRIANGLE_VIOLATED,
+    UNLIKELY_MASS,
     Joint,
     JointType,
     PlaceOf,
@@ -147,7 +148,7 @@ def _said_by_reader(findings: Iterable[Diagnostic]) -> set[str]:
 
     same = {
         LIMIT_UNKNOWN.code: (ESTIMATED_PARAMETERS,),
-        DOUBTFUL_BODY.code: (MASSLESS_LINK, INDEFINITE_INERTIA, TRIANGLE_VIOLATED),
+        DOUBTFUL_BODY.code: (MASSLESS_LINK, INDEFINITE_INERTIA, TRIANGLE_VIOLATED, UNLIKELY_MASS),
     }
     return {kind.code for one in findings for kind in same.get(one.code, ())}
 

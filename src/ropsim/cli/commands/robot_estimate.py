@@ -9,10 +9,12 @@ from pathlib import Path
 from ropsim.cli.terminal.named_robot import asked_robot, write_robot_file
 from ropsim.cli.terminal.output import Output, is_input
 from ropsim.core import Diagnostic
-from ropsim.model import ArmClass
+from ropsim.model import ArmClass, RobotModel, audit
 from ropsim.records import diagnostic_document
-from ropsim.robotfile import ArmFacts, estimated_dynamics, payload_doubts
+from ropsim.robotfile import ArmFacts, estimated_dynamics
 from ropsim.workbench import RobotFileError, carried, written_robot
+
+_LIGHT_ARM = "X926"
 
 
 def estimate(options: argparse.Namespace, output: Output) -> int:
@@ -34,7 +36,7 @@ def estimate(options: argparse.Namespace, output: Output) -> int:
         robot = replace(robot, rated_payload=options.payload)
     made = estimated_dynamics(robot, ArmFacts(options.mass or inf, "as given"))
     written = None if isinstance(made, Diagnostic) else written_robot(made, options.file)
-    findings = (made,) if isinstance(made, Diagnostic) else payload_doubts(made)
+    findings = (made,) if isinstance(made, Diagnostic) else _payload_doubts(made)
     findings += written.losses if written else ()
     output.findings(findings, {})
     if written and written.text:
@@ -44,3 +46,8 @@ def estimate(options: argparse.Namespace, output: Output) -> int:
     is_written = bool(written and written.text)
     output.document({"ok": is_written, "path": options.file, **diagnostic_document(findings)})
     return 0 if is_written else 1
+
+
+def _payload_doubts(robot: RobotModel) -> tuple[Diagnostic, ...]:
+    """Return X926 where an arm is lighter than what it shall carry."""
+    return tuple(one for one in audit(robot) if one.code == _LIGHT_ARM)

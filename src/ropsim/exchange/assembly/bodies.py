@@ -12,16 +12,23 @@ from ropsim.exchange.losses.diagnostics import DOUBTFUL_BODY
 from ropsim.exchange.losses.gathered import Topic, shown
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION
 from ropsim.exchange.losses.notes import Notes
-from ropsim.model import BASE_LINK, Joint, Link, Payload, Shape, combine, moved
+from ropsim.model import (
+    BASE_LINK,
+    Link,
+    Payload,
+    RobotModel,
+    Shape,
+    combine,
+    heaviest,
+    length_of,
+    moved,
+    one_mass,
+)
 from ropsim.spatial import Pose
 
 Carried = tuple[int, Pose]
 """Number of the joint on which a body rides, `BASE_LINK` for none, and the frame of the body in its frame."""
 
-DENSEST = 100.0
-"""No robot weighs more [kg] for each cubic metre of the cube over its length, that between all axes added up:
-thirty published arms have 3 to 76, one whose file adds up to 4.9 t instead of 1.1 t has 108."""
-_ALIKE = 4  # this number of links with one mass are placeholders
 _SLACK = 1e-3  # relative, of A + B >= C: files round their moments
 _SHORTEST = 0.05  # m, of a reach that says something
 
@@ -105,23 +112,21 @@ def _link(weights: list[Payload], shapes: list[Shape]) -> Link:
     return Link(whole.mass, whole.com, (whole.inertia + whole.inertia.T) / 2.0, tuple(shapes))
 
 
-def weight_findings(
-    description: Description, joints: Sequence[Joint], links: Sequence[Link], interface: Pose, notes: Notes
-) -> None:
+def weight_findings(description: Description, robot: RobotModel, notes: Notes) -> None:
     """Note masses and inertias that a robot of this size cannot have."""
-    reach = sum(_length(joint.placement) for joint in joints[1:]) + _length(interface)
+    joints, links = robot.joints, robot.links
+    reach = sum(_length(joint.placement) for joint in joints[1:]) + _length(robot.interface)
     for body in description.bodies:
         for topic, figures in _doubts(body.weight, reach):
             notes.gather(topic, body.span, [body.name], f"`{shown(body.name)}` has {figures}")
     light = [joint.name for joint, link in zip(joints, links, strict=True) if not link.mass]
     if light:
         notes.gather(_MASSLESS, description.span, light)
-    masses = [link.mass for link in links if link.mass]
-    total = sum(masses)
-    if total > DENSEST * max(reach, _SHORTEST) ** 3:
-        notes.gather(_HEAVY, description.span, (), f"{total:.4g} kg for {reach:.3g} m of arm")
-    if len(masses) >= _ALIKE and len(set(masses)) == 1:
-        notes.gather(_ONE_MASS, description.span, (), f"{masses[0]:g} kg for {len(masses)} links")
+    total, length, alike = sum(link.mass for link in links), length_of(robot), one_mass(links)
+    if total > heaviest(length):
+        notes.gather(_HEAVY, description.span, (), f"{total:.4g} kg for {length:.3g} m of arm")
+    if alike is not None:
+        notes.gather(_ONE_MASS, description.span, (), f"{alike:g} kg for all that have a mass")
 
 
 def _length(X: Pose) -> float:

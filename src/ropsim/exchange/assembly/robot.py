@@ -27,6 +27,7 @@ from ropsim.model import (
     Joint,
     JointType,
     Link,
+    OriginKind,
     ParameterOrigin,
     PlaceOf,
     ReadRobot,
@@ -86,7 +87,6 @@ def _robot(
         notes.take(one)
     if wrong:
         return None
-    weight_findings(description, joints, links, interface, notes)
     carried_names(description, tree, placed, tip, notes)
     robot = RobotModel(
         name=description.name,
@@ -103,6 +103,7 @@ def _robot(
         X_nM=interface,
         tip=carrier,
     )
+    weight_findings(description, robot, notes)
     note_cut_ranges(robot, driven, notes)
     return _that_carries_itself(robot, driven, source, notes) if drives else robot
 
@@ -120,7 +121,7 @@ def _that_carries_itself(
         drives[axis] = _drive(driven[axis], inf)
     names = ", ".join(driven[axis].name for axis in weak)
     words = f"those of {source.name} cannot carry the weight: joints {names} have none"
-    origin = ParameterOrigin("greatest efforts", "estimated", words)
+    origin = ParameterOrigin("greatest efforts", OriginKind.ESTIMATED, words)
     return replace(robot, joints=tuple(joints), drives=tuple(drives), origins=(*robot.origins, origin))
 
 
@@ -201,9 +202,9 @@ def _coupling(one: Connection, kept: KeptJoints) -> Coupling:
 def _origins(source: SourceText, driven: list[Connection]) -> tuple[ParameterOrigin, ...]:
     """Return the origins of the numbers: the file, and estimates for missing ones."""
     name = PurePath(source.name).name  # without folders, which are of one computer
-    found = [ParameterOrigin("geometry, masses and limits", "derived", f"read from {name}")]
+    found = [ParameterOrigin("geometry, masses and limits", OriginKind.DERIVED, f"read from {name}")]
     for what, names in unknown_names(driven).items():
-        found.append(ParameterOrigin(what, "estimated", f"not in {name}: joints {', '.join(names)}"))
+        found.append(ParameterOrigin(what, OriginKind.ESTIMATED, f"not in {name}: joints {', '.join(names)}"))
     return tuple(found)
 
 

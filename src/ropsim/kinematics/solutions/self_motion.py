@@ -4,7 +4,7 @@ import numpy as np
 
 from ropsim.kinematics.chain.arrays import ChainArrays
 from ropsim.kinematics.solutions.selection_kernel import LIMIT_SLACK
-from ropsim.kinematics.solutions.self_motion_kernel import CLOSED, Work, mark_covered, trace_rows
+from ropsim.kinematics.solutions.self_motion_kernel import CLOSED, WALLS, Work, mark_covered, trace_rows
 from ropsim.kinematics.solutions.solver import RedundantSolver
 from ropsim.spatial import Array
 
@@ -47,9 +47,9 @@ def arcs_of(
 ) -> tuple[Array, ...]:
     """Return the arcs of answers on which starts lie, each once.
 
-    Where two curves come so near to each other that the one is followed into the other, as those of an elbow
-    that is almost stretched, the free coordinate jumps. There the arc ends, and starts with another free
-    coordinate than that of an arc next to them begin arcs of their own.
+    Where two curves come so near to each other that the one is followed into the other, the free coordinate
+    jumps. There the arc ends, and starts with another free coordinate than that of an arc next to them begin
+    arcs of their own.
 
     Args:
         chain: of the arm.
@@ -67,7 +67,7 @@ def arcs_of(
     marked, wide = _marked(starts, solver), np.hstack((limits, [[-1.0, -1.0], [1.0, 1.0]]))
     for k, q in enumerate(starts):
         if not known[k]:
-            for arc in _split(_arc(chain, X_BM, q, limits, solver.free_axis), solver):
+            for arc in _split(_arc(chain, X_BM, q, limits, solver), solver):
                 arcs.append(arc)
                 mark_covered(_marked(arc, solver), marked, wide, known)
             known[k] = 1.0
@@ -87,12 +87,13 @@ def _split(arc: Array, solver: RedundantSolver) -> list[Array]:
     return np.split(arc, np.flatnonzero(np.abs(steps) > JUMP) + 1)
 
 
-def _arc(chain: ChainArrays, X_BM: Array, q: Array, limits: Array, free: int) -> Array:
+def _arc(chain: ChainArrays, X_BM: Array, q: Array, limits: Array, solver: RedundantSolver) -> Array:
     """Return the arc through a point q (n,), shape (s, n)."""
     m, n = len(chain.slides), chain.n
     Q, ends = np.empty((2, POINTS, n)), np.array([[1.0, 0.0], [-1.0, 0.0]])
     Q[:, 0] = q
-    work = Work(np.empty((m + 1, 12)), np.zeros((n + 12, max(n, 6))), np.empty((7, m)), np.empty((6, n)))
+    work = Work(np.empty((m + 1, 12)), np.zeros((n + 12, max(n, 6))), np.empty((7, m)), np.empty((8, n)))
+    work.ahead[WALLS:], free = solver.walls(q), solver.free_axis
     for side in (0, 1):
         trace_rows(
             chain.flat, chain.spread, X_BM, limits, free, Q[side : side + 1], ends[side : side + 1], work

@@ -111,6 +111,12 @@ class RedundantSolver(InverseSolver, Protocol):
     def free_values(self, Q: Array) -> Array:
         """Return the free coordinate at many joint coordinates (k, n) [rad], shape (k,)."""
 
+    def walls(self, q: Array) -> Array:
+        """Return lower and upper coordinates between which the curve of answers through q (n,) stays.
+
+        They keep it apart from another curve that comes near to it; infinite for other joints, shape (2, n).
+        """
+
     def anchors(self, X_BM: Array, limits: Array) -> Array:
         """Return answers to a pose from which every arc of them within the limits is found.
 

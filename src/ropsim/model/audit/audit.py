@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from itertools import chain
 
 from ropsim.core import Diagnostic
+from ropsim.flow import OriginKind
 from ropsim.model.audit.doubts import doubts
 from ropsim.model.findings import diagnostics as kinds
 from ropsim.model.findings.place import Attribute, AuditPlace, PlaceOf, nowhere
@@ -115,7 +116,7 @@ def _coupled_home(robot: Mechanism) -> Iterator[Diagnostic]:
 
 def _origins(robot: Mechanism) -> Iterator[Diagnostic]:
     """Yield one finding on all that is estimated, with a note on the source of each estimate."""
-    estimated = [one for one in robot.origins if one.kind == "estimated"]
+    estimated = [one for one in robot.origins if one.kind is OriginKind.ESTIMATED]
     if estimated:
         what = ", ".join(one.parameters for one in estimated)
         sources = tuple(f"{one.parameters}: {one.source}" for one in estimated)

@@ -12,6 +12,7 @@ import numpy as np
 from ropsim.core import Diagnostic
 from ropsim.model.audit.distant_centres import distant_centres
 from ropsim.model.audit.drive_doubts import drive_doubts
+from ropsim.model.audit.weights import SAME, length_of, one_mass, weight_doubts
 from ropsim.model.drives.drive import IdealMotor
 from ropsim.model.findings import doubt_diagnostics as kinds
 from ropsim.model.findings.place import Attribute, AuditPlace, PlaceOf
@@ -23,14 +24,10 @@ SHORTEST = 0.05
 """Least sum of lengths of an arm [m]."""
 LONGEST = 50.0
 """Greatest sum of lengths of an arm [m]."""
-HEAVIEST = 2000.0
-"""Most mass over the square of the sum of lengths [kg/m²]; heavy palletizers have about 300."""
 NARROWEST = 1e-2
 """Least range of a joint [rad | m]."""
-SAME = 3
-"""Number of links from which equal numbers are no coincidence."""
 SAME_DRIVES = 5
-"""The same of axes and their drives: small arms have one motor three or four times."""
+"""Number of axes from which equal drives are no coincidence: small arms have one motor up to four times."""
 _AXIS_SLACK = 1e-9  # [m, sine of an angle] of two axes that are one
 
 
@@ -42,6 +39,7 @@ def doubts(robot: Mechanism, place_of: PlaceOf) -> Iterator[Diagnostic]:
         place_of: where its numbers stand in the file that it was read from.
     """
     yield from _size(robot, place_of)
+    yield from weight_doubts(robot, place_of)
     yield from _masses(robot, place_of)
     for number in robot.axes:
         yield from _range(number, robot.joints[number], place_of)
@@ -49,14 +47,6 @@ def doubts(robot: Mechanism, place_of: PlaceOf) -> Iterator[Diagnostic]:
     yield from _doubled_axes(robot, place_of)
     yield from distant_centres(robot, place_of)
     yield from drive_doubts(robot, place_of)
-
-
-def length_of(robot: Mechanism) -> float:
-    """Return the sum of the lengths from joint to joint and to the interface, and of all strokes [m]."""
-    steps = sum(float(np.linalg.norm(joint.placement.position)) for joint in robot.joints)
-    slides = (joint for joint in robot.axis_joints if joint.type is JointType.PRISMATIC)
-    strokes = sum(max(abs(joint.lower), abs(joint.upper)) for joint in slides)
-    return steps + float(np.linalg.norm(robot.interface.position)) + strokes
 
 
 def _size(robot: Mechanism, place_of: PlaceOf) -> Iterator[Diagnostic]:
@@ -72,16 +62,7 @@ def _size(robot: Mechanism, place_of: PlaceOf) -> Iterator[Diagnostic]:
 
 
 def _masses(robot: Mechanism, place_of: PlaceOf) -> Iterator[Diagnostic]:
-    length, total = length_of(robot), sum(link.mass for link in robot.links)
-    if length > 0.0 and total > HEAVIEST * length**2:
-        heaviest = max(range(len(robot.links)), key=lambda k: robot.links[k].mass)
-        yield kinds.UNLIKELY_MASS.at(
-            place_of(AuditPlace(heaviest, Attribute.MASS)),
-            f"the links of `{robot.name}` have {total:.4g} kg at {length:.3g} m of length, "
-            f"no arm has more than {HEAVIEST * length**2:.3g} kg",
-            hint="masses are in kg; are these in grams?",
-            data={"mass_kg": total, "length_m": length},
-        )
+    length = length_of(robot)
     yield from _placeholders(robot.links, place_of)
     for number, link in enumerate(robot.links):
         if link.mass > 0.0 and np.isfinite(link.inertia).all():
@@ -121,7 +102,7 @@ def _placeholders(links: Sequence[Link], place_of: PlaceOf) -> Iterator[Diagnost
         return
     (first, one), *others = bodies
     for attribute, what, same in (
-        (Attribute.MASS, f"a mass of {one.mass:g} kg", all(link.mass == one.mass for _, link in others)),
+        (Attribute.MASS, f"a mass of {one.mass:g} kg", one_mass(links) is not None),
         (
             Attribute.INERTIA,
             "one tensor of inertia",

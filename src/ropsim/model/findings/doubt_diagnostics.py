@@ -1,6 +1,6 @@
-"""Doubts about numbers of an arm that are usually slips (codes X863 to X869)."""
+"""Doubts about numbers of an arm that are usually slips (codes X863 to X869, X917 and X926)."""
 
-from ropsim.core import Severity, define
+from ropsim.core import Kind, Severity, define
 
 PLACEHOLDER_MASSES = define(
     "X863",
@@ -23,8 +23,9 @@ UNLIKELY_MASS = define(
     Severity.WARNING,
     "the arm is heavier than arms of its size are",
     """
-The moving links of arms that are sold have 5 to 700 kg for each square metre of their length; this one has
-more than 2000. Masses are in kilograms, whatever `[units]` of a file says: most often these are in grams.
+The moving links of arms that are sold have 1 to 40 kg for each cubic metre of the cube over their length,
+all distances from joint to joint and all strokes added up; this one has more than 50. Masses are in
+kilograms, whatever `[units]` of a file says: most often these are in grams, or belong to a larger arm.
 """,
 )
 
@@ -118,3 +119,34 @@ would be a usual one.
 | 1.5 mH | `1.5e-3` H |
 """,
 )
+
+LIGHT_ARM = define(
+    "X926",
+    "arm-too-light",
+    Severity.WARNING,
+    "the links of an arm together weigh less than its rated payload",
+    """
+Arms weigh more than they carry: industrial ones three to ten times as much, the lightest cobots nearly
+twice as much. Where the links together have less than four fifths of the rated payload, masses are in tonnes
+or missing, or the payload is that of another arm.
+
+```toml
+payload = 6
+mass = { total = 0.03 }     # wrong: kilograms
+mass = { total = 30 }       # right
+```
+""",
+)
+
+DOUBTS: tuple[Kind, ...] = (
+    PLACEHOLDER_MASSES,
+    UNLIKELY_MASS,
+    UNLIKELY_INERTIA,
+    COPIED_LIMITS,
+    DOUBLED_AXIS,
+    JOINT_WITHOUT_RANGE,
+    UNLIKELY_SIZE,
+    UNLIKELY_DRIVE,
+    LIGHT_ARM,
+)
+"""All doubts; no built-in arm gives rise to one."""

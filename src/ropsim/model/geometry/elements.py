@@ -10,6 +10,8 @@ Point2 = tuple[float, float]
 Point3 = tuple[float, float, float]
 
 LIGHT_GREY = "#c9ced3"
+DARK_GREY = "#3d464f"
+STEEL_GREY = "#a3abb3"
 """Colour of entities without one."""
 
 

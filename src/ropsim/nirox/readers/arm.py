@@ -12,6 +12,7 @@ from ropsim.model import (
     Drive,
     JointType,
     LoopCut,
+    OriginKind,
     ParameterOrigin,
     RobotModel,
     number_findings,
@@ -26,7 +27,7 @@ from ropsim.nirox.readers.number_places import places_of
 from ropsim.nirox.readers.seen import Seen
 from ropsim.spatial import Pose, frozen
 
-_KINDS = ("measured", "published", "derived", "estimated")
+_KINDS = tuple(kind.value for kind in OriginKind)
 _ROLE = "mechanical_interface"
 _Frames: TypeAlias = tuple[int, Pose, tuple[FurtherFrame, ...]]
 
@@ -173,7 +174,7 @@ def _origins(seen: Seen) -> list[ParameterOrigin]:
         kind, colon, source = seen.text(entry, "method").partition(": ")
         if not colon or kind not in _KINDS:
             kind, source = "derived", seen.text(entry, "method")
-        found.append(ParameterOrigin(seen.text(entry, "attribute"), kind, source))
+        found.append(ParameterOrigin(seen.text(entry, "attribute"), OriginKind(kind), source))
     return found
 
 
@@ -181,4 +182,4 @@ def _estimates(names: list[str], file: str) -> list[ParameterOrigin]:
     if not names:
         return []
     words = f"not in {file}: joints {', '.join(names)}"
-    return [ParameterOrigin("limits of motion", "estimated", words)]
+    return [ParameterOrigin("limits of motion", OriginKind.ESTIMATED, words)]

@@ -11,6 +11,7 @@ from ropsim.model import (
     Link,
     Material,
     Mesh,
+    OriginKind,
     Prism,
     Revolve,
     RobotModel,
@@ -55,7 +56,7 @@ def _is_body(link: Link) -> bool:
 
 
 def _is_estimated(robot: RobotModel) -> bool:
-    return any("mass" in one.parameters and one.kind == "estimated" for one in robot.origins)
+    return any("mass" in one.parameters and one.kind is OriginKind.ESTIMATED for one in robot.origins)
 
 
 def write_looks(building: Building, robot: RobotModel) -> None:

@@ -4,7 +4,7 @@ import numpy as np
 
 from ropsim.model import ArmClass, RobotModel
 from ropsim.robotfile.estimation.loads import AxisLoads
-from ropsim.spatial import Array
+from ropsim.spatial import Array, significant
 
 TO_FULL_SPEED = 0.2
 """Time to full speed of the main axes [s]; Panda, iiwa, IRB 6640, Manutec r3 and CRS A255 have 0.17 s."""
@@ -16,6 +16,8 @@ USED_SHARE = 0.9
 """Share of the torque limit that accelerations are made for."""
 POSTURE_SHARE = 0.75
 """Share of the postures in which the torque has to allow them; planning slows the others."""
+DIGITS = 7
+"""Significant ones of an estimate: those behind depend on the processor that made it."""
 LEAST_SHARE = 0.2
 """Least acceleration over that of full speed in the times above."""
 
@@ -56,4 +58,4 @@ def accelerations(
     full = full_accelerations(robot, arm_class)
     allowed = (USED_SHARE * torques - loads.gravity) / (loads.inertia + rotors)
     usual = np.quantile(allowed, 1.0 - POSTURE_SHARE, axis=0)
-    return np.asarray(np.minimum(full, np.maximum(usual, LEAST_SHARE * full)))
+    return np.asarray(np.minimum(full, np.maximum(significant(usual, DIGITS), LEAST_SHARE * full)))

@@ -19,6 +19,7 @@ from ropsim.model import (
     Joint,
     JointType,
     Link,
+    OriginKind,
     ParameterOrigin,
     RobotModel,
     with_coupled_axes,
@@ -30,7 +31,7 @@ from ropsim.robotfile.estimation.arm_facts import ArmFacts
 from ropsim.robotfile.estimation.estimate_words import (
     acceleration_origin,
     balance_origin,
-    friction_origin,
+    friction_origins,
     mass_origin,
     replaced_words,
     rotor_origin,
@@ -38,13 +39,8 @@ from ropsim.robotfile.estimation.estimate_words import (
     torque_origin,
     without_accelerations,
 )
-from ropsim.robotfile.estimation.joint_friction import JointFriction, joint_frictions
-from ropsim.robotfile.estimation.link_masses import (
-    bodies,
-    extended_length,
-    link_masses,
-    total_mass,
-)
+from ropsim.robotfile.estimation.joint_friction import JointFriction, completed_frictions, joint_frictions
+from ropsim.robotfile.estimation.link_masses import bodies, extended_length, link_masses, total_mass
 from ropsim.robotfile.estimation.loads import axis_loads
 from ropsim.robotfile.estimation.palletizer_masses import palletizer_length, palletizer_links
 from ropsim.robotfile.estimation.recognition import arm_class_of, level_chain
@@ -85,7 +81,7 @@ def estimated_dynamics(robot: RobotModel, facts: ArmFacts = NO_FACTS) -> RobotMo
 
 def _estimated(robot: RobotModel, facts: ArmFacts) -> RobotModel | Diagnostic:
     """Return `estimated_dynamics` of a palletizer, or of an arm of which each joint is an axis."""
-    frictions = _known_frictions(robot)
+    known_frictions = _known_frictions(robot)
     robot = replace(robot, drives=()) if all(map(_is_stand_in, robot.drives)) else robot
     refusal = _refusal(robot, facts)
     if refusal:
@@ -117,9 +113,8 @@ def _estimated(robot: RobotModel, facts: ArmFacts) -> RobotModel | Diagnostic:
     ratios = np.array(facts.ratios) if facts.ratios else gear_ratios(robot)
     if not facts.rotors:
         origins.append(rotor_origin())
-    if not frictions:
-        frictions = joint_frictions(robot, arm_class, torques)
-        origins.append(friction_origin())
+    friction = completed_frictions(known_frictions, joint_frictions(robot, arm_class, torques))
+    origins += friction_origins(names, friction)
     if _are_accelerations_estimated(robot):
         fastest = accelerations(robot, arm_class, loads, torques, rotors)
         joints = [_with_acceleration(one, most) for one, most in zip(joints, fastest.tolist(), strict=True)]
@@ -127,7 +122,7 @@ def _estimated(robot: RobotModel, facts: ArmFacts) -> RobotModel | Diagnostic:
     drives = tuple(
         Drive(EffortAmplifier(tau / ratio), IdealMotor(rotor / ratio**2), Gear(ratio), own.at_motor(ratio))
         for tau, rotor, ratio, own in zip(
-            limits.values, rotors.tolist(), ratios.tolist(), frictions, strict=True
+            limits.values, rotors.tolist(), ratios.tolist(), friction.values, strict=True
         )
     )
     return _with_axis_joints(replace(robot, drives=drives, origins=tuple(origins)), joints)
@@ -194,10 +189,11 @@ def _is_stand_in(drive: Drive) -> bool:
 
 
 def _known_frictions(robot: RobotModel) -> list[JointFriction]:
-    """Return the friction of stand-ins for drives; nothing where they have none."""
-    rows = [one.friction for one in robot.drives if _is_stand_in(one)]
-    has_any = any(one.viscous or one.coulomb_positive for one in rows)
-    return [JointFriction(one.coulomb_positive, one.viscous, one.smoothing_speed) for one in rows if has_any]
+    """Return the friction of each axis that stand-ins for drives have; 0 where they have none."""
+    if not robot.drives or not all(map(_is_stand_in, robot.drives)):
+        return [JointFriction(0.0, 0.0, 0.0)] * robot.n
+    rows = [one.friction for one in robot.drives]
+    return [JointFriction(one.coulomb_positive, one.viscous, one.smoothing_speed) for one in rows]
 
 
 def _lacks_torques(robot: RobotModel) -> bool:
@@ -239,7 +235,7 @@ def _with_masses(
 
 def _are_accelerations_estimated(robot: RobotModel) -> bool:
     """Return whether the joint accelerations of an arm are estimates already."""
-    return any("acceleration" in one.parameters and one.kind == "estimated" for one in robot.origins)
+    return any("acceleration" in one.parameters and one.kind is OriginKind.ESTIMATED for one in robot.origins)
 
 
 def _with_acceleration(joint: Joint, most: float) -> Joint:

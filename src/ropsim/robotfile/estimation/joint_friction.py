@@ -2,8 +2,13 @@
 
 Dry friction is 0.08·τ, of wrists 0.12·τ; viscous friction is 0.08·τ at full speed. Twelve axes of the PUMA
 560 and the Manutec r3 are within a factor of three, 80 % of them within 2.6; calibration from a trace fits
-them.
+them. Files that give friction give it for some axes, and often one of the two kinds only: what they give
+stays, the rest is by rule. A small viscous number next to no dry friction is damping for a simulator and no
+measured friction.
 """
+
+from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -18,6 +23,8 @@ DRY, DRY_OF_WRIST, VISCOUS = 0.08, 0.12, 0.08
 """Shares of the torque limit; the viscous one at full speed."""
 SMOOTHING = 0.01
 """Speed within which dry friction changes its sign, over full speed."""
+LEAST_OF_RULE = 1e-2
+"""Share of the rule below which viscous friction without dry friction was not measured."""
 
 
 @frozen_dataclass
@@ -56,3 +63,47 @@ def joint_frictions(robot: RobotModel, arm_class: ArmClass, torques: Array) -> l
     dry = np.where(main, DRY, DRY_OF_WRIST) * torques
     rows = zip(dry.tolist(), torques.tolist(), robot.max_speeds.tolist(), strict=True)
     return [JointFriction(d, VISCOUS * tau / v, SMOOTHING * v) for d, tau, v in rows]
+
+
+@frozen_dataclass
+class CompletedFrictions:
+    """Friction of all joints, and which of it is known.
+
+    Attributes:
+        values: of each axis.
+        dry: numbers of the axes, from 0, with known dry friction.
+        viscous: numbers of the axes with known viscous friction.
+        unused: numbers of the axes whose known friction is too small to be a measured one.
+    """
+
+    values: tuple[JointFriction, ...]
+    dry: tuple[int, ...]
+    viscous: tuple[int, ...]
+    unused: tuple[int, ...]
+
+
+def completed_frictions(known: Sequence[JointFriction], ruled: Sequence[JointFriction]) -> CompletedFrictions:
+    """Return known friction, completed by rule for each axis and each kind of friction.
+
+    Args:
+        known: of each axis; 0 for what is unknown.
+        ruled: friction of each axis by rule.
+    """
+    values: list[JointFriction] = []
+    dry: list[int] = []
+    viscous: list[int] = []
+    unused: list[int] = []
+    for axis, (own, rule) in enumerate(zip(known, ruled, strict=True)):
+        if own.dry == 0.0 and 0.0 < own.viscous < LEAST_OF_RULE * rule.viscous:
+            unused.append(axis)
+            values.append(rule)
+            continue
+        made = rule
+        if own.dry > 0.0:
+            dry.append(axis)
+            made = replace(made, dry=own.dry, smoothing_speed=own.smoothing_speed)
+        if own.viscous > 0.0:
+            viscous.append(axis)
+            made = replace(made, viscous=own.viscous)
+        values.append(made)
+    return CompletedFrictions(tuple(values), tuple(dry), tuple(viscous), tuple(unused))

@@ -5,11 +5,9 @@ from math import isfinite
 
 import numpy as np
 
-from ropsim.core import Diagnostic
 from ropsim.dynamics import axis_inertias, greatest_gravity_loads
 from ropsim.kinematics import configurations, frames_batch
 from ropsim.model import Payload, RobotModel, box, combine, moved
-from ropsim.robotfile.diagnostics import UNLIKELY_PAYLOAD
 from ropsim.spatial import Array, record
 
 WATER = 1000.0
@@ -101,18 +99,3 @@ def _energy(robot: RobotModel, Q: Array) -> Array:
             centres = frames[:, number, :3, :3] @ link.com + frames[:, number, :3, 3]
             found -= link.mass * (centres @ robot.gravity)
     return found
-
-
-def payload_doubts(robot: RobotModel) -> tuple[Diagnostic, ...]:
-    """Return a finding where the rated payload of an arm is more than the mass of its moving links.
-
-    Args:
-        robot: an arm with masses; one without any is not doubted.
-    """
-    payload, own = robot.rated_payload, sum(link.mass for link in robot.links)
-    if not (isfinite(payload) and payload > own > 0.0):
-        return ()
-    words = f"`{robot.name}` has a rated payload of {payload:.4g} kg and moves {own:.4g} kg of its own"
-    hint = "payloads are in kg; what does the data sheet say?"
-    data = {"payload_kg": payload, "mass_kg": own}
-    return (UNLIKELY_PAYLOAD.at(None, words, hint=hint, data=data),)

@@ -19,9 +19,9 @@ import numpy as np
 
 from ropsim.core import frozen_dataclass
 from ropsim.model import ArmClass, JointType, RobotModel
-from ropsim.robotfile.estimation.accelerations import full_accelerations, main_axes
+from ropsim.robotfile.estimation.accelerations import DIGITS, full_accelerations, main_axes
 from ropsim.robotfile.estimation.loads import AxisLoads
-from ropsim.spatial import Array
+from ropsim.spatial import Array, significant
 
 ACCURACY = "×1.7"
 """Factor by which four of five estimates are at most too large or too small."""
@@ -120,6 +120,6 @@ def torques_by_rule(robot: RobotModel, arm_class: ArmClass, loads: AxisLoads, ro
     turns = all(joint.type is JointType.REVOLUTE for joint in robot.axis_joints)
     rows = _FACTORS.get((arm_class, robot.n), ()) if turns else ()
     if not rows:
-        return np.asarray(general)
+        return significant(general, DIGITS)
     held = np.array([factor * gravity[axis] for factor, axis in rows])
-    return np.asarray(np.where(held > 0.0, held, general))
+    return significant(np.where(held > 0.0, held, general), DIGITS)

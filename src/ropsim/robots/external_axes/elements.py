@@ -2,16 +2,17 @@
 
 import numpy as np
 
-from ropsim.model import Drive, EffortAmplifier, Friction, Gear, IdealMotor, ParameterOrigin
-from ropsim.spatial import Array, Pose
+from ropsim.model import Drive, EffortAmplifier, Friction, Gear, IdealMotor, OriginKind, ParameterOrigin
+from ropsim.spatial import ALONG_X, Array
 
-FRAME, PLATE, STEEL, ACCENT = "#3d464f", "#cfd4d8", "#a3abb3", "#e2702b"
-ALONG_X = Pose(orientation=np.array([1.0, 0.0, 1.0, 0.0]))
-"""Ry(90°): z of a joint points along x of its carrier, and its x axis down."""
+PLATE, ACCENT = "#cfd4d8", "#e2702b"
 BACK = ALONG_X.inverse()
+"""From the frame of a joint along x to that of its carrier."""
 ESTIMATE = (
     ParameterOrigin(
-        "limits, masses, drive", "estimated", "round numbers for equipment of this kind; set by the caller"
+        "limits, masses, drive",
+        OriginKind.ESTIMATED,
+        "round numbers for equipment of this kind; set by the caller",
     ),
 )
 _PINION = 0.04  # [m], radius of a pinion that runs on a rack
@@ -40,8 +41,3 @@ def box_moments(mass: float, size: tuple[float, float, float]) -> Array:
     """Return the moments of a homogeneous box about its centre [kg·m²], shape (3, 3)."""
     squares = np.array(size) ** 2
     return np.diag(mass / 12.0 * (squares.sum() - squares))
-
-
-def at(x: float, y: float, z: float) -> Pose:
-    """Return a place without a turn [m]."""
-    return Pose(np.array([x, y, z]))

@@ -2,19 +2,26 @@
 
 import numpy as np
 
-from ropsim.model import BASE_LINK, Box, JointLimits, JointType, Link, Mechanism, Shape, limited
+from ropsim.model import (
+    BASE_LINK,
+    DARK_GREY,
+    STEEL_GREY,
+    Box,
+    JointLimits,
+    JointType,
+    Link,
+    Mechanism,
+    Shape,
+    limited,
+)
 from ropsim.robots.external_axes.elements import (
-    ALONG_X,
     BACK,
     ESTIMATE,
-    FRAME,
     PLATE,
-    STEEL,
-    at,
     box_moments,
     rack_drive,
 )
-from ropsim.spatial import Pose
+from ropsim.spatial import ALONG_X, Pose, translation
 
 _ACROSS = Pose(orientation=np.array([1.0, -1.0, 0.0, 0.0]))  # Rx(-90°): z of the joint points along y
 _TROLLEY = (0.6, 0.6, 0.08)  # [m]
@@ -51,23 +58,23 @@ def gantry(
         name=name,
         title="Gantry",
         joints=(
-            limited("1", JointType.PRISMATIC, at(0.0, 0.0, height) @ ALONG_X, along, BASE_LINK),
+            limited("1", JointType.PRISMATIC, translation(0.0, 0.0, height) @ ALONG_X, along, BASE_LINK),
             limited("2", JointType.PRISMATIC, _ACROSS, across, 0),
             limited("plate", JointType.FIXED, (ALONG_X @ _ACROSS).inverse(), across, 1),
         ),
         links=(
             Link(
                 bridge_mass,
-                (BACK @ at(0.0, 0.0, over)).position,
+                (BACK @ translation(0.0, 0.0, over)).position,
                 box_moments(bridge_mass, (bridge[2], bridge[1], bridge[0])),
-                (Shape(Box(bridge), BACK @ at(0.0, 0.0, over), STEEL),),
+                (Shape(Box(bridge), BACK @ translation(0.0, 0.0, over), STEEL_GREY),),
             ),
             Link(0.0, np.zeros(3), np.zeros((3, 3))),
             Link(
                 trolley_mass,
                 np.array([0.0, 0.0, _TROLLEY[2] / 2.0]),
                 box_moments(trolley_mass, _TROLLEY),
-                (Shape(Box(_TROLLEY), at(0.0, 0.0, _TROLLEY[2] / 2.0), PLATE),),
+                (Shape(Box(_TROLLEY), translation(0.0, 0.0, _TROLLEY[2] / 2.0), PLATE),),
             ),
         ),
         drives=(rack_drive(along.max_effort), rack_drive(across.max_effort)),
@@ -83,11 +90,11 @@ def _portal(length: float, width: float, height: float) -> tuple[Shape, ...]:
     top = height + _TROLLEY[2]
     tall = top - _BEAM
     beams = [
-        Shape(Box((length + 2.0 * _OVER, _BEAM, _BEAM)), at(0.0, y, top - _BEAM / 2.0), FRAME)
+        Shape(Box((length + 2.0 * _OVER, _BEAM, _BEAM)), translation(0.0, y, top - _BEAM / 2.0), DARK_GREY)
         for y in (-side, side)
     ]
     columns = [
-        Shape(Box((_COLUMN, _COLUMN, tall)), at(x, y, tall / 2.0), FRAME)
+        Shape(Box((_COLUMN, _COLUMN, tall)), translation(x, y, tall / 2.0), DARK_GREY)
         for x in (-end, end)
         for y in (-side, side)
     ]

@@ -2,18 +2,26 @@
 
 import numpy as np
 
-from ropsim.model import BASE_LINK, Box, JointLimits, JointType, Link, Mechanism, Shape, limited
+from ropsim.model import (
+    BASE_LINK,
+    DARK_GREY,
+    STEEL_GREY,
+    Box,
+    JointLimits,
+    JointType,
+    Link,
+    Mechanism,
+    Shape,
+    limited,
+)
 from ropsim.robots.external_axes.elements import (
-    ALONG_X,
     BACK,
     ESTIMATE,
-    FRAME,
     PLATE,
-    STEEL,
-    at,
     box_moments,
     rack_drive,
 )
+from ropsim.spatial import ALONG_X, translation
 
 _HEIGHT = 0.35  # [m] of the carriage over the floor
 _CARRIAGE = (0.9, 0.95, 0.09)  # [m]
@@ -33,14 +41,20 @@ def linear_track(length: float, carriage_mass: float = 250.0, name: str = "linea
     """
     half = length / 2.0
     limits = JointLimits(-half, half, 2.0, 3.0, 30.0, 12_000.0)
-    beds = [Shape(Box((length + 1.0, 0.12, 0.2)), at(0.0, side, 0.1), FRAME) for side in (-_GAUGE, _GAUGE)]
-    rails = [Shape(Box((length + 1.0, 0.06, 0.06)), at(0.0, side, 0.23), STEEL) for side in (-_GAUGE, _GAUGE)]
-    plate = Shape(Box(_CARRIAGE), at(0.0, 0.0, -_CARRIAGE[2] / 2.0), PLATE)
+    beds = [
+        Shape(Box((length + 1.0, 0.12, 0.2)), translation(0.0, side, 0.1), DARK_GREY)
+        for side in (-_GAUGE, _GAUGE)
+    ]
+    rails = [
+        Shape(Box((length + 1.0, 0.06, 0.06)), translation(0.0, side, 0.23), STEEL_GREY)
+        for side in (-_GAUGE, _GAUGE)
+    ]
+    plate = Shape(Box(_CARRIAGE), translation(0.0, 0.0, -_CARRIAGE[2] / 2.0), PLATE)
     return Mechanism(
         name=name,
         title="Linear track",
         joints=(
-            limited("1", JointType.PRISMATIC, at(0.0, 0.0, _HEIGHT) @ ALONG_X, limits, BASE_LINK),
+            limited("1", JointType.PRISMATIC, translation(0.0, 0.0, _HEIGHT) @ ALONG_X, limits, BASE_LINK),
             limited("plate", JointType.FIXED, BACK, limits, 0),
         ),
         links=(

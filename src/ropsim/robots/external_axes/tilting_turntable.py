@@ -4,18 +4,26 @@ from math import pi
 
 import numpy as np
 
-from ropsim.model import BASE_LINK, Box, JointLimits, JointType, Link, Mechanism, Shape, limited
+from ropsim.model import (
+    BASE_LINK,
+    DARK_GREY,
+    STEEL_GREY,
+    Box,
+    JointLimits,
+    JointType,
+    Link,
+    Mechanism,
+    Shape,
+    limited,
+)
 from ropsim.robots.external_axes.elements import (
-    ALONG_X,
     BACK,
     ESTIMATE,
-    FRAME,
-    STEEL,
-    at,
     box_moments,
     drive,
 )
 from ropsim.robots.external_axes.turntable import THICK, TURN, TURNING, plate
+from ropsim.spatial import ALONG_X, translation
 
 _ABOVE = 0.1  # [m] of the upper side of the plate over the axis of tilting
 _WALL = 0.08  # [m]
@@ -40,22 +48,24 @@ def tilting_turntable(
     tilt = JointLimits(-0.75 * pi, 0.75 * pi, 1.5, 3.0, 30.0, 3_000.0)
     reach = radius + _ROOM
     cradle = (2.0 * reach, 0.3, _WALL)
-    X_cradle = BACK @ at(0.0, 0.0, _ABOVE - THICK - _WALL / 2.0)
+    X_cradle = BACK @ translation(0.0, 0.0, _ABOVE - THICK - _WALL / 2.0)
     moments = box_moments(_CRADLE_MASS, (cradle[2], cradle[1], cradle[0]))
     posts = [
-        Shape(Box((_WALL, 0.35, height)), at(side, 0.0, height / 2.0), FRAME)
+        Shape(Box((_WALL, 0.35, height)), translation(side, 0.0, height / 2.0), DARK_GREY)
         for side in (-reach - _WALL / 2.0, reach + _WALL / 2.0)
     ]
-    foot = Shape(Box((2.0 * (reach + _WALL), 0.5, 0.04)), at(0.0, 0.0, 0.02), FRAME)
+    foot = Shape(Box((2.0 * (reach + _WALL), 0.5, 0.04)), translation(0.0, 0.0, 0.02), DARK_GREY)
     return Mechanism(
         name=name,
         title="Tilting turntable",
         joints=(
-            limited("1", JointType.REVOLUTE, at(0.0, 0.0, height - _ABOVE) @ ALONG_X, tilt, BASE_LINK),
-            limited("2", JointType.REVOLUTE, BACK @ at(0.0, 0.0, _ABOVE), TURN, 0),
+            limited(
+                "1", JointType.REVOLUTE, translation(0.0, 0.0, height - _ABOVE) @ ALONG_X, tilt, BASE_LINK
+            ),
+            limited("2", JointType.REVOLUTE, BACK @ translation(0.0, 0.0, _ABOVE), TURN, 0),
         ),
         links=(
-            Link(_CRADLE_MASS, X_cradle.position, moments, (Shape(Box(cradle), X_cradle, STEEL),)),
+            Link(_CRADLE_MASS, X_cradle.position, moments, (Shape(Box(cradle), X_cradle, STEEL_GREY),)),
             plate(radius, inertia),
         ),
         drives=(drive(160.0, 3e-3, 25.0, 1e-3, 0.1), TURNING),

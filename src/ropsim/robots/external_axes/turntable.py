@@ -4,9 +4,20 @@ from math import pi
 
 import numpy as np
 
-from ropsim.model import BASE_LINK, Box, JointLimits, JointType, Link, Mechanism, Revolve, Shape, limited
-from ropsim.robots.external_axes.elements import ACCENT, ESTIMATE, FRAME, PLATE, at, drive
-from ropsim.spatial import Pose
+from ropsim.model import (
+    BASE_LINK,
+    DARK_GREY,
+    Box,
+    JointLimits,
+    JointType,
+    Link,
+    Mechanism,
+    Revolve,
+    Shape,
+    limited,
+)
+from ropsim.robots.external_axes.elements import ACCENT, ESTIMATE, PLATE, drive
+from ropsim.spatial import Pose, translation
 
 THICK = 0.05
 """Of a plate [m]."""
@@ -25,7 +36,7 @@ def plate(radius: float, inertia: float) -> Link:
     """
     mass = 2.0 * inertia / radius**2  # of a disc
     disc = Revolve(((0.0, -THICK), (radius, -THICK), (radius, 0.0), (0.0, 0.0)))
-    mark = Shape(Box((0.25 * radius, 0.03, 0.004)), at(0.8 * radius, 0.0, 0.001), ACCENT)
+    mark = Shape(Box((0.25 * radius, 0.03, 0.004)), translation(0.8 * radius, 0.0, 0.001), ACCENT)
     moments = np.diag([inertia / 2.0, inertia / 2.0, inertia])
     return Link(mass, np.array([0.0, 0.0, -THICK / 2.0]), moments, (Shape(disc, Pose(), PLATE), mark))
 
@@ -45,10 +56,10 @@ def turntable(
     return Mechanism(
         name=name,
         title="Turntable",
-        joints=(limited("1", JointType.REVOLUTE, at(0.0, 0.0, height), TURN, BASE_LINK),),
+        joints=(limited("1", JointType.REVOLUTE, translation(0.0, 0.0, height), TURN, BASE_LINK),),
         links=(plate(radius, inertia),),
         drives=(TURNING,),
         home=np.zeros(1),
         origins=ESTIMATE,
-        base_shapes=(Shape(post, Pose(), FRAME),),
+        base_shapes=(Shape(post, Pose(), DARK_GREY),),
     )

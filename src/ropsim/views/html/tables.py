@@ -1,6 +1,7 @@
 """The tables of the HTML report."""
 
 from ropsim.core import SourceText
+from ropsim.flow import OriginKind
 from ropsim.views.markup.markup import table, text
 from ropsim.views.summary.device_summary import TaskSummary
 from ropsim.views.summary.joint_summary import Closeness, JointSummary, LimitApproach, end_closeness
@@ -101,7 +102,7 @@ def origin_table(summary: Summary) -> str:
         (
             text(origin.parameters),
             f'<span class="near">{text(origin.kind)}</span>'
-            if origin.kind == "estimated"
+            if origin.kind is OriginKind.ESTIMATED
             else text(origin.kind),
             text(origin.source),
         )

@@ -7,25 +7,40 @@ import numpy as np
 from ropsim.kinematics import joint_frames
 from ropsim.model import Shape
 from ropsim.parts import LibraryPart
-from ropsim.spatial import fingerprint
+from ropsim.spatial import Array, fingerprint
 from ropsim.views.picture.robot_picture import DRAWING, PictureOptions, Placed, bodies_png
 
 SEEN = PictureOptions(azimuth=-58.0, elevation=12.0)
 """How parts are seen without other options."""
 _CLEAR = 0.2
+_DIGITS = 9  # of places, in metres
 _HANGING = np.diag([1.0, -1.0, -1.0, 1.0])
 
 
 def part_print(part: LibraryPart, options: PictureOptions = SEEN) -> str:
-    """Return a key that changes with the picture of a part."""
-    return fingerprint((DRAWING, options, part))
+    """Return a key that changes with the picture of a part, not with its mass or its tool frame.
+
+    Places are rounded: their last digits depend on the processor.
+    """
+    turn = _turn(part)
+    drawn = [
+        (shape.solid, np.round(turn @ X @ shape.pose.matrix(), _DIGITS) + 0.0, shape.colour, shape.material)
+        for X, shapes in _bodies(part)
+        for shape in _seen(shapes)
+    ]
+    return fingerprint((DRAWING, options, drawn))
 
 
 def part_png(title: str, part: LibraryPart, options: PictureOptions = SEEN) -> bytes:
     """Return a picture of a part as a PNG file, on a transparent ground."""
     words = {"Title": title, "Source": part_print(part, options)}
-    turn = np.eye(4) if part.X_MT is None else _HANGING
+    turn = _turn(part)
     return bodies_png(((turn @ X, _seen(shapes)) for X, shapes in _bodies(part)), words, options)
+
+
+def _turn(part: LibraryPart) -> Array:
+    """Return the pose in which a part is seen, shape (4, 4)."""
+    return np.eye(4) if part.X_MT is None else _HANGING
 
 
 def _seen(shapes: tuple[Shape, ...]) -> tuple[Shape, ...]:

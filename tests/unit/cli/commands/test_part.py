@@ -35,6 +35,20 @@ def test_the_document_has_ranges_in_si_units(capsys: pytest.CaptureFixture[str])
     assert length["origin"] == "estimated"
 
 
+def test_the_tcp_of_a_model_is_shown_with_its_origin(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["part", "show", "two_finger_gripper", "--model", "franka_hand"]) == 0
+    text = capsys.readouterr().out
+    assert "franka_hand: TCP at 103.4 mm (published)" in text
+    assert "TCP at 141 mm (estimated)" in text
+    assert main(["part", "show", "two_finger_gripper", "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert document["tcp"]["origin"] == "estimated"
+    (hand,) = (one for one in document["models"] if one["name"] == "franka_hand")
+    assert hand["tcp"] == {"distance": pytest.approx(0.1034), "origin": "published"}
+    assert main(["part", "show", "fence", "--json"]) == 0
+    assert "tcp" not in json.loads(capsys.readouterr().out)
+
+
 def test_a_picture_is_of_the_model(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     from ropsim.parts import library_part
 

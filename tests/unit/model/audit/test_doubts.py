@@ -6,15 +6,16 @@ import numpy as np
 import pytest
 
 from ropsim import robots
-from ropsim.core import Severity
-from ropsim.model import Joint, Link, RobotModel, audit
+from ropsim.core import Kind, Severity
+from ropsim.model import DOUBTS, Joint, Link, RobotModel, audit
+from ropsim.model.findings import doubt_diagnostics
 from ropsim.spatial import Pose
 
-DOUBTS = {"X863", "X864", "X865", "X866", "X867", "X868", "X869", "X917"}
+CODES = {kind.code for kind in DOUBTS}
 
 
 def doubted(robot: RobotModel) -> list[str]:
-    return [one.code for one in audit(robot) if one.code in DOUBTS]
+    return [one.code for one in audit(robot) if one.code in CODES]
 
 
 def with_links(robot: RobotModel, *links: Link) -> RobotModel:
@@ -55,7 +56,7 @@ def test_numbers_of_drives_in_units_of_data_sheets_are_doubted(
     drives = list(robot.drives)
     motor = drives[joint].motor
     drives[joint] = replace(drives[joint], motor=replace(motor, **{key: factor * getattr(motor, key)}))
-    (found,) = [one for one in audit(replace(robot, drives=tuple(drives))) if one.code in DOUBTS]
+    (found,) = [one for one in audit(replace(robot, drives=tuple(drives))) if one.code in CODES]
     assert found.code == "X917"
     assert f"`{key}`" in found.message
     assert unit in found.hint
@@ -85,7 +86,7 @@ def test_one_row_of_limits_copied_to_all_is_a_hint() -> None:
     keys = ("lower", "upper", "max_speed", "max_acceleration")
     first = {key: getattr(puma.joints[0], key) for key in keys}
     copied = replace(puma, joints=tuple(replace(joint, **first) for joint in puma.joints), home=np.zeros(6))
-    (found,) = [one for one in audit(copied) if one.code in DOUBTS]
+    (found,) = [one for one in audit(copied) if one.code in CODES]
     assert (found.code, found.severity) == ("X866", Severity.HINT)
 
 
@@ -117,6 +118,29 @@ def test_centres_of_mass_beside_their_links_are_one_finding() -> None:
     (found,) = (one for one in audit(with_links(arm, *moved)) if one.code == "X865")
     assert "`1`, `2`, `3`, `4`, `5`, `6`" in found.message
     assert "the longest link has" in found.message
+
+
+def test_an_arm_that_weighs_less_than_it_carries_is_doubted() -> None:
+    arm = robots.load("irb120")
+    total = sum(link.mass for link in arm.links)
+    assert doubted(replace(arm, rated_payload=1.2 * total)) == []
+    (found,) = (one for one in audit(replace(arm, rated_payload=1.3 * total)) if one.code in CODES)
+    assert found.code == "X926"
+    assert found.data["payload_kg"] == 1.3 * total
+
+
+def test_an_arm_that_weighs_three_times_what_its_size_says_is_doubted() -> None:
+    """A file of the KR 210 adds up to 3.3 t over 3.9 m; the arm has 1.1 t."""
+    arm = robots.load("kr210_r2700_2")
+    heavy = [replace(link, mass=3.3e3 / 851.5 * link.mass) for link in arm.links]
+    assert doubted(with_links(arm, *heavy)) == ["X864"]
+    assert doubted(arm) == []
+
+
+def test_every_doubt_of_the_module_is_in_the_table() -> None:
+    defined = {kind for kind in vars(doubt_diagnostics).values() if isinstance(kind, Kind)}
+    assert set(DOUBTS) == defined
+    assert len(DOUBTS) == len(defined)
 
 
 def test_no_library_arm_has_a_centre_beside_its_link() -> None:

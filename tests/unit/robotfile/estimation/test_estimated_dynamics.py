@@ -21,6 +21,7 @@ from ropsim.model import (
     IdealMotor,
     Joint,
     Link,
+    OriginKind,
     ParameterOrigin,
     RobotModel,
     audit,
@@ -43,7 +44,7 @@ def bare(name: str) -> RobotModel:
     robot = robots.load(name)
     joints: list[Joint] = [replace(joint, max_effort=inf) for joint in robot.joints]
     links = [Link(0.0, np.zeros(3), np.zeros((3, 3)), link.shapes) for link in robot.links]
-    guess = ParameterOrigin("joint accelerations and jerks", "estimated", "full speed within 0.25 s")
+    guess = ParameterOrigin("joint accelerations and jerks", OriginKind.ESTIMATED, "full speed within 0.25 s")
     return replace(robot, joints=tuple(joints), links=tuple(links), drives=(), origins=(guess,))
 
 
@@ -68,7 +69,7 @@ def test_an_arm_of_which_only_axes_are_known_gets_masses_and_drives_that_hold_it
     loads = axis_loads(robot, payload)
     assert (loads.greatest_gravity < 0.75 * robot.max_efforts).all()
     for group in ESTIMATES:
-        assert words(robot, group).kind == "estimated"
+        assert words(robot, group).kind is OriginKind.ESTIMATED
 
 
 @pytest.mark.parametrize("name", ["panda", "kr6_r900_2", "ur10e"])
@@ -100,7 +101,7 @@ def test_known_rotors_stay() -> None:
     robot = robots.load("panda")
     found = rotor_inertias(robot, robot.home[None])[0]
     np.testing.assert_allclose(found[[0, 2, 4]], [0.605721456, 0.462474144, 0.205544064], rtol=1e-9)
-    assert words(robot, "rotors and gears").kind == "published"
+    assert words(robot, "rotors and gears").kind is OriginKind.PUBLISHED
 
 
 @pytest.mark.parametrize("name", ["irb140", "gp7", "irb660_180_315"])
@@ -189,24 +190,69 @@ def test_direct_drives_without_motors_stand_for_no_drives() -> None:
     assert estimated(replace(robot, drives=direct)) == estimated(robot)
 
 
+def with_frictions(name: str, *rows: tuple[float, float]) -> RobotModel:
+    """Return an arm with dry [N·m] and viscous friction [N·m·s/rad] at its joints, as URDF files give it."""
+    robot = replace(robots.load(name), drives=())
+    drives = tuple(
+        Drive(EffortAmplifier(float(tau)), IdealMotor(0.0), Gear(1.0), Friction(viscous, dry, -dry, 0.01))
+        for tau, (dry, viscous) in zip(robot.max_efforts, rows, strict=True)
+    )
+    origins = tuple(one for one in robot.origins if not one.parameters.startswith("friction"))
+    return replace(robot, drives=drives, origins=origins)
+
+
+def frictions(robot: RobotModel) -> list[tuple[float, float]]:
+    """Return dry [N·m] and viscous friction [N·m·s/rad] at the joints."""
+    pairs = ((drive.friction, abs(drive.ratio_at(0.0))) for drive in robot.drives)
+    return [(one.coulomb_positive * ratio, one.viscous * ratio**2) for one, ratio in pairs]
+
+
+def friction_words(robot: RobotModel) -> list[tuple[str, str]]:
+    return [(one.parameters, one.kind) for one in robot.origins if "friction" in one.parameters]
+
+
 def test_the_friction_of_a_file_stays() -> None:
     """`dynamics` of a URDF joint: damping 2 N·m·s/rad and friction 3 N·m at the joint."""
-    robot = replace(robots.load("ur5e"), drives=())
-    own = Friction(2.0, 3.0, -3.0, 0.01)
-    direct = tuple(
-        Drive(EffortAmplifier(float(tau)), IdealMotor(0.0), Gear(1.0), own) for tau in robot.max_efforts
-    )
-    made = estimated(replace(robot, drives=direct))
-    for drive in made.drives:
-        ratio = drive.ratio_at(0.0)
-        assert drive.friction.viscous * ratio**2 == pytest.approx(2.0)
-        assert drive.friction.coulomb_positive * ratio == pytest.approx(3.0)
-    assert not [one for one in made.origins[len(robot.origins) :] if one.parameters.startswith("friction")]
+    made = estimated(with_frictions("ur5e", *[(3.0, 2.0)] * 6))
+    np.testing.assert_allclose(frictions(made), [(3.0, 2.0)] * 6)
+    assert friction_words(made) == [("friction", "derived")]
+
+
+def test_friction_of_a_file_is_known_axis_by_axis_and_kind_by_kind() -> None:
+    rule = frictions(estimated(with_frictions("ur5e", *[(0.0, 0.0)] * 6)))
+    rows = [(0.0, 0.0)] * 6
+    rows[0], rows[2], rows[3] = (0.0, 5.0), (4.0, 6.0), (7.0, 0.0)
+    made = estimated(with_frictions("ur5e", *rows))
+    wanted = [*rule]
+    wanted[0], wanted[2], wanted[3] = (rule[0][0], 5.0), (4.0, 6.0), (7.0, rule[3][1])
+    np.testing.assert_allclose(frictions(made), wanted)
+    names = [joint.name for joint in made.axis_joints]
+
+    def of(*axes: int) -> str:
+        return ", ".join(names[axis] for axis in axes)
+
+    assert friction_words(made) == [
+        (f"dry friction of {of(2, 3)}", "derived"),
+        (f"viscous friction of {of(0, 2)}", "derived"),
+        (f"dry friction of {of(0, 1, 4, 5)} (×3)", "estimated"),
+        (f"viscous friction of {of(1, 3, 4, 5)} (×3)", "estimated"),
+    ]
+
+
+def test_a_damping_below_a_hundredth_of_the_rule_is_no_measured_friction() -> None:
+    """A public URDF file of the Panda has a damping of 0.003 N·m·s/rad and a friction of 0 at all joints."""
+    rule = frictions(estimated(with_frictions("panda", *[(0.0, 0.0)] * 7)))
+    made = estimated(with_frictions("panda", *[(0.0, 0.003)] * 7))
+    np.testing.assert_allclose(frictions(made), rule)
+    assert friction_words(made) == [("friction (×3)", "estimated")]
+    assert "in the file is below a hundredth of that" in words(made, "friction").source
+    with_dry = estimated(with_frictions("panda", *[(1.0, 0.003)] * 7))
+    np.testing.assert_allclose(frictions(with_dry), [(1.0, 0.003)] * 7)
 
 
 def test_an_arm_with_drives_gets_the_torque_limits_that_it_lacks() -> None:
     robot = robots.load("manutec_r3")
-    assert words(robot, "torque limits").kind == "estimated"
+    assert words(robot, "torque limits").kind is OriginKind.ESTIMATED
     np.testing.assert_allclose(robot.max_efforts, [1201, 1201, 554, 89.6, 89.6, 53.8], rtol=0.02)
     assert robot.drives[0].motor == IdealMotor(0.0013)
 

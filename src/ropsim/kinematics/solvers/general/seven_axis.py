@@ -9,7 +9,7 @@ from ropsim.core import plural
 from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays
 from ropsim.kinematics.chain.forward import frames_of
 from ropsim.kinematics.solutions.configurations import configurations
-from ropsim.kinematics.solutions.polish import POSE_SLACK, polished
+from ropsim.kinematics.solutions.polish import POSE_SLACK, polished, unbounded
 from ropsim.kinematics.solutions.result import Free, IkStatus, Posture, Shortfall
 from ropsim.kinematics.solutions.solver import Method, Snap
 from ropsim.kinematics.solvers.axes import COUPLED
@@ -81,6 +81,10 @@ class GeneralSevenAxisSolver:
     def free_values(self, Q: Array) -> Array:
         """Return the coordinate of the held joint in rows Q (k, 7), shape (k,)."""
         return Q[:, self.joint].copy()
+
+    def walls(self, q: Array) -> Array:
+        """Return infinite walls."""
+        return unbounded(len(q))
 
     def anchors(self, X_BM: Array, limits: Array) -> Array:
         """Return answers on every arc within the limits, shape (m, 7); see `RedundantSolver`.

@@ -22,7 +22,7 @@ import numpy as np
 from ropsim.codegen import Compiled, bound
 from ropsim.core import plural
 from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays
-from ropsim.kinematics.solutions.polish import POSE_SLACK, held_at, polished
+from ropsim.kinematics.solutions.polish import POSE_SLACK, held_at, polished, unbounded
 from ropsim.kinematics.solutions.result import Free, IkStatus, Posture, Reach, Shortfall
 from ropsim.kinematics.solutions.solver import Method, Snap
 from ropsim.kinematics.solvers.axes import COUPLED, LENGTH_SLACK, NEAR_SINGULAR, ZeroFrames, distance, snap
@@ -56,6 +56,8 @@ ANYWHERE = np.inf
 IN_LINE = 1e-3
 """Axes with a smaller sine of their angle are in line."""
 TURN = 2.0 * np.pi
+ELBOW = 3
+"""Joint that a pose determines, from 0."""
 WIDER = 3.0
 """The slacks of a snapped arm are this multiple of the error that its snap can make."""
 
@@ -124,6 +126,12 @@ class SwivelSolver:
     def free_values(self, Q: Array) -> Array:
         """Return the swivel angles of rows of joint coordinates (k, 7), shape (k,)."""
         return self.arm.swivels(Q)
+
+    def walls(self, q: Array) -> Array:
+        """Return walls at the stretched and the folded arm: the elbow stays bent to one side."""
+        walls, zero = unbounded(7), float(self.arm.zeros[ELBOW])
+        walls[:, ELBOW] = np.pi * (np.floor((q[ELBOW] + zero) / np.pi) + np.arange(2)) - zero
+        return walls
 
     def anchors(self, X_BM: Array, limits: Array) -> Array:
         """Return answers on every arc within the limits, shape (m, 7); see `RedundantSolver`.
