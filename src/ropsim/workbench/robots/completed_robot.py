@@ -1,7 +1,7 @@
 """An arm in another format, completed by estimates where it would have drives without motors."""
 
 from ropsim.core import Diagnostic
-from ropsim.model import ParameterOrigin, RobotModel
+from ropsim.model import OriginKind, ParameterOrigin, RobotModel
 from ropsim.robotfile import estimated_dynamics, lacks_motors
 
 
@@ -23,4 +23,4 @@ def completed_robot(robot: RobotModel) -> RobotModel:
 def added_estimates(robot: RobotModel) -> tuple[ParameterOrigin, ...]:
     """Return the estimates that `completed_robot` adds to an arm."""
     made = completed_robot(robot).origins
-    return tuple(one for one in made if one.kind == "estimated" and one not in robot.origins)
+    return tuple(one for one in made if one.kind is OriginKind.ESTIMATED and one not in robot.origins)
