@@ -72,7 +72,9 @@ Forward dynamics solves M(q)·q̈ = τ - h for the accelerations. Where everythi
 nor inertia, and its drive no rotor, the mass matrix M is singular, and any torque would accelerate the axis
 without bound. A mass that lies exactly on the axis of a turning joint does not help: it needs an inertia.
 
-Give the last links an inertia, or their drives the inertia of their rotors.
+Give the last links an inertia, or their drives the inertia of their rotors. Links of MJCF whose masses were
+to follow from meshes have none: `ropsim robot estimate FILE robots/NEW.stp --payload KG` adds them by stated
+rules, and `ropsim run --kinematic` needs none.
 """,
 )
 

@@ -69,12 +69,17 @@ def missing_inertia(robot: Mechanism, idle: tuple[int, ...]) -> MissingMassError
     return MissingMassError(AXIS_WITHOUT_INERTIA.at(None, f"{what} nothing that has an inertia", hint=hint))
 
 
-def idle_axes(M: Array) -> tuple[int, ...]:
-    """Return the axes, from 0, that move no mass while earlier axes are held and later ones are free."""
+def idle_axes(M: Array, nothing: float = _NOTHING) -> tuple[int, ...]:
+    """Return the axes, from 0, that move no mass while earlier axes are held and later ones are free.
+
+    Args:
+        M: mass matrix [kg·m² | kg·m | kg], shape (n, n).
+        nothing: pivot, relative to the diagonal, that counts as none.
+    """
     left, idle = M.copy(), []
     for k in range(len(M) - 1, -1, -1):
         pivot = left[k, k]
-        if not pivot > _NOTHING * M[k, k]:
+        if not pivot > nothing * M[k, k]:
             idle.append(k)
             continue
         left[:k, :k] -= np.outer(left[:k, k], left[k, :k]) / pivot

@@ -16,4 +16,5 @@ from ropsim.robotfile.estimation.loads import gravity_torques as gravity_torques
 from ropsim.robotfile.estimation.loads import with_payload as with_payload
 from ropsim.robotfile.estimation.recognition import arm_class_of as arm_class_of
 from ropsim.robotfile.estimation.rotors import rotors_at_joints as rotors_at_joints
+from ropsim.robotfile.estimation.torque_limits import are_stand_ins as are_stand_ins
 from ropsim.robotfile.estimation.torque_limits import torques_by_rule as torques_by_rule

@@ -39,6 +39,8 @@ from ropsim.workbench.robots.carried_meshes import CarriedRobot as CarriedRobot
 from ropsim.workbench.robots.carried_meshes import carried as carried
 from ropsim.workbench.robots.carried_meshes import plain_name as plain_name
 from ropsim.workbench.robots.carried_meshes import project_of_robot as project_of_robot
+from ropsim.workbench.robots.completed_robot import added_estimates as added_estimates
+from ropsim.workbench.robots.completed_robot import completed_robot as completed_robot
 from ropsim.workbench.robots.named_robot import NamedRobot as NamedRobot
 from ropsim.workbench.robots.named_robot import RobotFileError as RobotFileError
 from ropsim.workbench.robots.named_robot import built_in_robots as built_in_robots

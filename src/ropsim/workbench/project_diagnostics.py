@@ -61,8 +61,9 @@ NOT_WRITABLE = define(
     "a result file that cannot be written",
     """
 Its folder does not exist and cannot be made, or may not be written; or its name is that of a folder, or has
-another ending than the file is of: a recording ends in `.npz`. Nothing was changed: result files are replaced
-in one step, so an older report or recording is still whole.
+another ending than the file is of: a recording ends in `.npz`. Or it is the file that is read: estimates, for
+instance, do not replace what they are made from. Nothing was changed: result files are replaced in one step,
+so an older report or recording is still whole.
 """,
     Category.USAGE,
 )

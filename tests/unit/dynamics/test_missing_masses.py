@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from ropsim import dynamics, robots
-from ropsim.dynamics import MissingMassError
+from ropsim.dynamics import MissingMassError, check_moved_masses, massless_axes
 from ropsim.dynamics.mass_check import idle_axes
-from ropsim.model import Link, Payload, RobotModel
+from ropsim.model import Drive, EffortAmplifier, Gear, IdealMotor, Link, Payload, RobotModel
 from ropsim.spatial import Array
 from support.examples import examples
 
@@ -133,3 +133,30 @@ def test_a_milligram_under_a_tonne_is_a_mass_and_what_rounding_leaves_of_one_is_
     assert idle_axes(slides(1e3, 0.0)) == (1,)
     assert idle_axes(np.zeros((2, 2))) == (0, 1)
     assert idle_axes(np.diag([1.0, -1e-3])) == (1,)
+
+
+@pytest.mark.parametrize("massless", [(0, 1, 2, 3, 4, 5), (5, 6)])
+def test_drives_need_links_with_masses_to_move(massless: tuple[int, ...]) -> None:
+    """One body of a seven-axis arm has six freedoms to be moved in; the last links alone move nothing."""
+    robot = direct("panda")
+    links = tuple(NOTHING if k in massless else link for k, link in enumerate(robot.links))
+    with pytest.raises(MissingMassError) as caught:
+        check_moved_masses(replace(robot, links=links))
+    found = caught.value.diagnostic
+    assert found.code == "M591"
+    assert all(f"`{robot.joints[k].name}`" in found.message for k in massless)
+    assert "ropsim robot estimate" in found.hint
+
+
+def test_a_link_without_mass_between_others_may_be() -> None:
+    robot = direct("ur5e")
+    links = tuple(NOTHING if k == 3 else link for k, link in enumerate(robot.links))
+    assert massless_axes(replace(robot, links=links)) == (3,)
+    check_moved_masses(replace(robot, links=links))
+
+
+def direct(name: str) -> RobotModel:
+    """Return an arm of the library with drives that have no rotors."""
+    robot = robots.load(name)
+    drives = tuple(Drive(EffortAmplifier(50.0), IdealMotor(0.0), Gear(1.0)) for _ in robot.drives)
+    return replace(robot, drives=drives)

@@ -152,3 +152,42 @@ def test_what_is_wrong_with_parts_and_fingers_is_said_at_its_place(
     (found,) = findings
     assert found.span is not None
     assert (found.code, found.span.line) == (code, line)
+
+
+@pytest.mark.parametrize(
+    ("size", "said"),
+    [
+        ((0.3, 0.2, 0.04), True),
+        ((0.3, 0.08, 0.04), False),
+        ((0.05, 0.0801, 0.04), True),
+        ((0.2, 0.03, 0.1), False),
+    ],
+)
+def test_a_part_wider_than_the_open_fingers_is_taken_with_a_warning(
+    size: tuple[float, float, float], said: bool
+) -> None:
+    """The fingers open to 80 mm along y of the tool, which is that of the part."""
+    found = [one for one in ran(cell(size), "lin box", "close").findings if one.code == "S726"]
+    assert bool(found) is said
+    if said:
+        (one,) = found
+        assert one.span is not None
+        assert one.span.line == 4
+        assert (
+            f"{size[1] * 1e3:.4g} mm wide between the fingers of `jaws`, which open to 80 mm" in one.message
+        )
+
+
+def test_a_line_that_grips_wide_parts_again_is_named_once() -> None:
+    lines = ("repeat 3", "  lin box", "  close", "  open", "endr")
+    assert [one.code for one in ran(cell((0.3, 0.2, 0.04)), *lines).findings].count("S726") == 1
+
+
+def test_grippers_without_fingers_take_parts_of_any_width() -> None:
+    made = cell((0.3, 0.2, 0.04))
+    station = made.first
+    jaws = station.tools["jaws"]
+    assert jaws.gripper is not None
+    cup = replace(jaws, gripper=replace(jaws.gripper, fingers=None))
+    bare = replace(made, stations={"robot": replace(station, tools={"jaws": cup})})
+    assert not [one for one in ran(bare, "lin box", "close").findings if one.code == "S726"]

@@ -9,10 +9,12 @@ from pathlib import Path
 from ropsim.cli.terminal.named_robot import asked_robot, write_robot_file
 from ropsim.cli.terminal.output import Output
 from ropsim.core import Diagnostic
-from ropsim.model import ArmClass
+from ropsim.model import ArmClass, RobotModel, audit
 from ropsim.records import diagnostic_document
 from ropsim.robotfile import ArmFacts, estimated_dynamics
 from ropsim.workbench import carried, written_robot
+
+_LIGHT_ARM = "X926"
 
 
 def _is_mended(finding: Diagnostic) -> bool:
@@ -23,7 +25,11 @@ def _is_mended(finding: Diagnostic) -> bool:
 
 
 def estimate(options: argparse.Namespace, output: Output) -> int:
-    """Write a robot with missing masses and drives estimated."""
+    """Write a robot with missing masses and drives estimated.
+
+    Raises:
+        RobotFileError: X847, the file is one that is read, or it cannot be written.
+    """
     asked = asked_robot(options, output, _is_mended)
     if asked.robot is None:
         return 1
@@ -35,7 +41,8 @@ def estimate(options: argparse.Namespace, output: Output) -> int:
         robot = replace(robot, rated_payload=options.payload)
     made = estimated_dynamics(robot, ArmFacts(options.mass or inf, "as given"))
     written = None if isinstance(made, Diagnostic) else written_robot(made, options.file)
-    findings = (made,) if isinstance(made, Diagnostic) else written.losses if written else ()
+    findings = (made,) if isinstance(made, Diagnostic) else _payload_doubts(made)
+    findings += written.losses if written else ()
     output.findings(findings, {})
     if written and written.text:
         write_robot_file(options.file, written.text, moved, asked)
@@ -44,3 +51,8 @@ def estimate(options: argparse.Namespace, output: Output) -> int:
     is_written = bool(written and written.text)
     output.document({"ok": is_written, "path": options.file, **diagnostic_document(findings)})
     return 0 if is_written else 1
+
+
+def _payload_doubts(robot: RobotModel) -> tuple[Diagnostic, ...]:
+    """Return X926 where an arm is lighter than what it shall carry."""
+    return tuple(one for one in audit(robot) if one.code == _LIGHT_ARM)

@@ -2,10 +2,9 @@
 
 import argparse
 from collections.abc import Callable
-from errno import EEXIST
 from pathlib import Path
 
-from ropsim.cli.terminal.output import Output, cannot_write
+from ropsim.cli.terminal.output import Output, cannot_write, is_input
 from ropsim.core import Diagnostic, replace_file
 from ropsim.model import RobotModel, RobotSource
 from ropsim.records import diagnostic_document
@@ -75,7 +74,7 @@ def write_robot_file(file: str, text: str, moved: CarriedRobot, asked: NamedRobo
     """
     place = Path(file)
     if asked.is_read_from(place):
-        raise RobotFileError(cannot_write(file, OSError(EEXIST, "the robot is read from it")))
+        raise RobotFileError(is_input(file))
     try:
         place.parent.mkdir(parents=True, exist_ok=True)
         moved.copy(project_of_robot(place))

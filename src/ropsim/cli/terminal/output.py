@@ -92,3 +92,11 @@ def cannot_write(path: str, error: OSError) -> Diagnostic:
     from ropsim.workbench import NOT_WRITABLE
 
     return NOT_WRITABLE.at(None, f"`{path}` cannot be written: {error.strerror or error}")
+
+
+def is_input(path: str) -> Diagnostic:
+    """Return the finding that a result would replace the file that it is made from."""
+    from ropsim.workbench import NOT_WRITABLE
+
+    hint = "name another file, such as one in the folder `robots` of the project"
+    return NOT_WRITABLE.at(None, f"`{path}` is the file that is read, and is not replaced", hint=hint)

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from math import inf
+from math import inf, radians
 from pathlib import PurePath
 
 from ropsim.core import SourceText, Span
@@ -39,6 +39,11 @@ from ropsim.model import (
 from ropsim.spatial import Array, Pose, frozen
 
 _ENDLESS = {OriginKind.DERIVED: "endless in", OriginKind.ESTIMATED: "not in"}
+ROOM = 0.02
+"""Share of its range that a joint has to its limits in a rest position that no file says."""
+LEAST_ROOM = radians(2.0)
+"""The same of turning joints, at least [rad]: a fine stop overshoots by far less."""
+
 _TYPES = {Motion.TURN: JointType.REVOLUTE, Motion.SLIDE: JointType.PRISMATIC}
 
 
@@ -141,9 +146,23 @@ def _in_order(driven: list[Connection], names: tuple[str, ...]) -> list[Connecti
 
 
 def _rest(description: Description, driven: list[Connection]) -> Array:
-    """Return the rest position that a file says, else zero, within the limits, shape (n,)."""
+    """Return the rest position of a file, else the one nearest to zero with room to limits, shape (n,)."""
     home = dict(description.home)
-    return frozen([min(max(home.get(one.name, 0.0), one.limits.lower), one.limits.upper) for one in driven])
+    return frozen([_kept(one, home[one.name]) if one.name in home else _with_room(one) for one in driven])
+
+
+def _kept(one: Connection, value: float) -> float:
+    """Return a coordinate within the limits of a connection."""
+    return min(max(value, one.limits.lower), one.limits.upper)
+
+
+def _with_room(one: Connection) -> float:
+    """Return the coordinate nearest to zero that keeps `ROOM` to both limits of a connection."""
+    limits = limits_of(one)
+    span = limits.upper - limits.lower
+    least = LEAST_ROOM if one.motion is Motion.TURN else 0.0
+    room = min(max(least, ROOM * span), 0.5 * span)
+    return min(max(0.0, limits.lower + room), limits.upper - room)
 
 
 def _placed(tree: LinkTree, kept: KeptJoints) -> Mapping[str, Carried]:

@@ -60,6 +60,19 @@ def torque_origin(names: Sequence[str], count: int, payload: float, why: str) ->
     return ParameterOrigin(f"torque limits{which} ({torque_limits.ACCURACY})", OriginKind.ESTIMATED, words)
 
 
+def replaced_words(names: Sequence[str], limits: Sequence[float], gravity: Sequence[float]) -> str:
+    """Return why limits of a file are replaced, with both numbers of each.
+
+    Args:
+        names: of the axes.
+        limits: in the file [N·m | N].
+        gravity: greatest torque or force that gravity takes with the rated payload [N·m | N].
+    """
+    rows = zip(names, limits, gravity, strict=True)
+    figures = ", ".join(f"{name} {limit:.4g} of which gravity takes {held:.4g}" for name, limit, held in rows)
+    return f"; those of the file do not hold the arm: {figures}"
+
+
 def balance_origin(names: Sequence[str]) -> ParameterOrigin:
     """Return the origin of published limits that do not hold the rated payload in every posture."""
     words = (

@@ -33,6 +33,7 @@ from ropsim.robotfile.estimation.estimate_words import (
     balance_origin,
     friction_origins,
     mass_origin,
+    replaced_words,
     rotor_origin,
     size_mass_origin,
     torque_origin,
@@ -87,7 +88,7 @@ def _estimated(robot: RobotModel, facts: ArmFacts) -> RobotModel | Diagnostic:
         return NO_ESTIMATE.at(None, f"`{robot.name}` {refusal[0]}", hint=refusal[1])
     arm_class, origins = arm_class_of(robot), list(robot.origins)
     payload = robot.rated_payload if isfinite(robot.rated_payload) else facts.payload
-    if not any(link.mass or link.inertia.any() for link in robot.links):
+    if _massless(robot):
         robot, origin = _with_masses(robot, arm_class, payload, facts)
         origins.append(origin)
     loads = axis_loads(robot, payload)
@@ -95,7 +96,11 @@ def _estimated(robot: RobotModel, facts: ArmFacts) -> RobotModel | Diagnostic:
     limits = torque_limits(robot, arm_class, loads, known, facts.trust)
     torques = np.array(limits.values)
     names = [joint.name for joint in robot.axis_joints]
-    for axes, words in ((limits.estimated, ""), (limits.replaced, "; those of the file do not hold the arm")):
+    short = list(limits.replaced)
+    why = replaced_words(
+        [names[k] for k in short], robot.max_efforts[short].tolist(), loads.worst_gravity[short].tolist()
+    )
+    for axes, words in ((limits.estimated, ""), (limits.replaced, why)):
         if axes:
             origins.append(torque_origin([names[k] for k in axes], len(names), payload, words))
     if limits.balanced:
@@ -134,14 +139,47 @@ def _refusal(robot: RobotModel, facts: ArmFacts) -> tuple[str, str] | None:
             "is neither a serial arm of turning and sliding joints nor a palletizer",
             "only of such arms drives can be estimated",
         )
-    if any(link.mass or link.inertia.any() for link in robot.links) or isfinite(facts.total_mass):
+    if not _massless(robot) or isfinite(facts.total_mass):
         return None
     if not isfinite(robot.rated_payload) and not isfinite(facts.payload):
         return (
-            "has neither masses nor a rated payload",
+            f"has neither {_which_masses(robot)} nor a rated payload",
             "give `--payload` or `--mass`, or `payload`, `total_mass` or `mass` in a robot file",
         )
     return None
+
+
+def lacks_motors(robot: RobotModel) -> bool:
+    """Return whether an arm has masses, torque limits or friction, but neither rotors nor gears.
+
+    Such are arms in URDF. Estimates complete them without asking for a mass or a payload.
+
+    Args:
+        robot: as it was read.
+    """
+    has_any = bool(np.isfinite(robot.max_efforts).any()) or any(
+        one.friction.viscous or one.friction.coulomb_positive for one in robot.drives
+    )
+    return bool(robot.drives) and has_any and all(map(_is_stand_in, robot.drives)) and not _massless(robot)
+
+
+def _massless(robot: RobotModel) -> tuple[int, ...]:
+    """Return the links without mass that are moved by axes, of a palletizer all or none of its links.
+
+    Rods and triangles beside the axes may be without mass where others have one.
+    """
+    without = [number for number, link in enumerate(robot.links) if not (link.mass or link.inertia.any())]
+    if level_chain(robot) and len(without) < len(robot.links):
+        return ()
+    return tuple(without)
+
+
+def _which_masses(robot: RobotModel) -> str:
+    """Return which masses an arm lacks, in words."""
+    without = _massless(robot)
+    if len(without) == len(robot.links):
+        return "masses"
+    return f"masses of the links behind {', '.join(robot.joints[number].name for number in without)}"
 
 
 def _is_stand_in(drive: Drive) -> bool:
@@ -170,7 +208,7 @@ def _lacks_torques(robot: RobotModel) -> bool:
 def _with_masses(
     robot: RobotModel, arm_class: ArmClass, payload: float, facts: ArmFacts
 ) -> tuple[RobotModel, ParameterOrigin]:
-    """Return an arm with masses by rule, and their origin."""
+    """Return an arm with masses by rule where it has none, and their origin."""
     known = isfinite(facts.total_mass)
     is_level = bool(level_chain(robot))
     length = palletizer_length(robot) if is_level else extended_length(robot.joints, robot.X_nM)
@@ -182,6 +220,16 @@ def _with_masses(
         made = bodies(robot.joints, robot.X_nM, arm_class, masses)
         links = [replace(one, shapes=own.shapes) for one, own in zip(made, robot.links, strict=True)]
     origin = mass_origin(arm_class, whole, facts.mass_source) if known else size_mass_origin(arm_class, whole)
+    without = _massless(robot)
+    if len(without) < len(robot.links):
+        links = [made if number in without else robot.links[number] for number, made in enumerate(links)]
+        part = f"masses of {len(without)} of {len(robot.links)} links"
+        of = ", ".join(robot.joints[number].name for number in without)
+        origin = replace(
+            origin,
+            parameters=origin.parameters.replace("masses", part, 1),
+            source=f"{origin.source}; of the links behind {of}",
+        )
     return replace(robot, links=tuple(links)), origin
 
 

@@ -5,7 +5,7 @@ from math import isfinite
 
 import numpy as np
 
-from ropsim.dynamics import axis_inertias
+from ropsim.dynamics import axis_inertias, greatest_gravity_loads
 from ropsim.kinematics import configurations, frames_batch
 from ropsim.model import Payload, RobotModel, box, combine, moved
 from ropsim.spatial import Array, record
@@ -23,10 +23,13 @@ class AxisLoads:
     Attributes:
         gravity: torques or forces that hold the axes, without sign [N·m | N], shape (k, n).
         inertia: of the axes without their rotors [kg·m² | kg], shape (k, n).
+        worst_gravity: the greatest torques or forces in any posture within the limits [N·m | N], shape (n,);
+            those of the k postures miss it by some per cent, but rules multiply them.
     """
 
     gravity: Array
     inertia: Array
+    worst_gravity: Array
 
     @property
     def greatest_gravity(self) -> Array:
@@ -47,7 +50,7 @@ def axis_loads(robot: RobotModel, payload: float) -> AxisLoads:
         payload: mass of a cube of water on the mechanical interface [kg].
     """
     loaded, Q = with_payload(replace(robot, drives=()), payload), configurations(robot, POSTURES)
-    return AxisLoads(gravity_torques(loaded, Q), axis_inertias(loaded, Q))
+    return AxisLoads(gravity_torques(loaded, Q), axis_inertias(loaded, Q), greatest_gravity_loads(loaded))
 
 
 def with_payload(robot: RobotModel, payload: float) -> RobotModel:

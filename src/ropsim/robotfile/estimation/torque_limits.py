@@ -27,13 +27,15 @@ ACCURACY = "×1.7"
 """Factor by which four of five estimates are at most too large or too small."""
 HELD_SHARE = 0.75
 """Share of a limit that gravity may take at most; else the arm is balanced, or the limit is wrong."""
+ROUND = 100.0
+"""Limits that are all whole multiples of this [N·m | N], or all the same, stand for unknown ones."""
 INERTIA_FACTOR = 1.5
 """Limit over the torque of full acceleration, of axes that gravity does not load."""
 _MAIN_FACTOR, _WRIST_FACTOR = 2.0, 2.4
 
 
 class TorqueTrust(Enum):
-    """Who stands for the torque limits that an arm has."""
+    """Who stands for the torque limits of an arm: its maker, or a file, whose numbers may be made up."""
 
     MAKER = "maker"
     FILE = "file"
@@ -47,7 +49,7 @@ class TorqueLimits:
         values: [N·m | N], one per axis.
         estimated: numbers of the axes, from 0, whose limit is by rule because there is none.
         replaced: numbers of the axes whose limit is by rule because it does not hold the arm.
-        balanced: numbers of the axes whose limit stays although it does not hold the arm.
+        balanced: numbers of the axes whose limit stays although gravity takes more than `HELD_SHARE` of it.
     """
 
     values: tuple[float, ...]
@@ -61,27 +63,37 @@ def torque_limits(
 ) -> TorqueLimits:
     """Return the torque limits of an arm: its own, and by rule those that are missing.
 
+    Known limits stay where they hold the arm with its rated payload in each posture, and those that its maker
+    stands for stay always. Stand-ins for unknown limits (`are_stand_ins`) have to leave a quarter for motion.
+
     Args:
         robot: with the limits that are known.
         arm_class: its class.
         loads: of its axes with the rated payload.
         rotors: known inertias of rotors at the joints, else 0 [kg·m² | kg], shape (n,).
-        trust: who stands for the known limits; one of a file that gravity takes more than `HELD_SHARE` of is
-            replaced.
+        trust: who stands for the known limits.
     """
     ruled, gravity = torques_by_rule(robot, arm_class, loads, rotors), loads.greatest_gravity
+    most = HELD_SHARE if are_stand_ins(robot.max_efforts) else 1.0
     values: list[float] = []
     estimated: list[int] = []
     replaced: list[int] = []
     balanced: list[int] = []
     for axis, (limit, rule) in enumerate(zip(robot.max_efforts.tolist(), ruled.tolist(), strict=True)):
-        is_short = isfinite(limit) and gravity[axis] > HELD_SHARE * limit
         if not isfinite(limit):
             estimated.append(axis)
-        elif is_short:
-            (balanced if trust is TorqueTrust.MAKER else replaced).append(axis)
+        elif trust is TorqueTrust.FILE and max(gravity[axis] / most, loads.worst_gravity[axis]) > limit:
+            replaced.append(axis)
+        elif gravity[axis] > HELD_SHARE * limit:
+            balanced.append(axis)
         values.append(rule if axis in (*estimated, *replaced) else limit)
     return TorqueLimits(tuple(values), tuple(estimated), tuple(replaced), tuple(balanced))
+
+
+def are_stand_ins(limits: Array) -> bool:
+    """Return whether the known ones of several limits [N·m | N] are all the same, or round hundreds."""
+    known = limits[np.isfinite(limits)]
+    return len(known) > 1 and bool((known == known[0]).all() or (known % ROUND == 0.0).all())
 
 
 _SIX: tuple[tuple[float, int], ...] = ((1.4, 1), (1.4, 1), (2.0, 2), (2.4, 4), (2.4, 4), (1.44, 4))

@@ -28,6 +28,23 @@ force with `set tool NAME`.
 """,
 )
 
+WIDER_THAN_FINGERS = define(
+    "S726",
+    "part-wider-than-fingers",
+    Severity.WARNING,
+    "a gripper took a part that does not fit between its fingers",
+    """
+The fingers of a gripper stand apart along y of the tool frame, by their `open` distance, or the `stroke` of a
+gripper of the library. The part that they closed on is wider there: its edge counts that is nearest to that
+direction. Real fingers would come down on the part. The run goes on as if they held it.
+
+**How to mend it.** Grip the part across a narrower edge: turn the tool about its axis, by `rz` in the program
+or the orientation of the location. Or take a gripper with a greater stroke, or a vacuum gripper. A gripper
+whose fingers take hold of a rim or a handle, of which the box of the part knows nothing, is one without
+`fingers`.
+""",
+)
+
 RELEASED_IN_THE_AIR = define(
     "S736",
     "released-in-the-air",

@@ -8,7 +8,11 @@ from ropsim.core import Diagnostic
 from ropsim.flow import GripAction, GripEvent, GripInstruction, ReleaseEvent
 from ropsim.model import Fingers, Gripper, Part, Tool, tool_body
 from ropsim.simulation.devices.axis_profile import AxisProfile, ProfileSegment
-from ropsim.simulation.diagnostics.part_diagnostics import NOTHING_GRASPED, TOOL_CANNOT_GRASP
+from ropsim.simulation.diagnostics.part_diagnostics import (
+    NOTHING_GRASPED,
+    TOOL_CANNOT_GRASP,
+    WIDER_THAN_FINGERS,
+)
 from ropsim.simulation.grips.handing import kept, let_go, take_over
 from ropsim.simulation.parts.parts import close_on, release
 from ropsim.simulation.parts.placements import Placements
@@ -16,6 +20,9 @@ from ropsim.simulation.parts.standing import release_findings, stood
 from ropsim.simulation.state.cell_run import CellRun
 from ropsim.simulation.state.station_run import StationRun
 from ropsim.spatial import Pose
+
+_ROUNDING = 1e-6
+"""Share by which a part may be wider than the stroke: both are rounded."""
 
 
 def grip(run: CellRun, at: StationRun, instruction: GripInstruction) -> Iterator[None]:
@@ -37,6 +44,7 @@ def grip(run: CellRun, at: StationRun, instruction: GripInstruction) -> Iterator
         part = run.parts.held({hand})
         if not part:
             run.findings.append(_nothing_grasped(instruction, tool))
+        run.findings += _too_wide(run, at, tool, instruction)
         event: type[GripEvent | ReleaseEvent] = GripEvent
     else:
         part = run.parts.held({hand})
@@ -120,6 +128,38 @@ def _nothing_grasped(grip: GripInstruction, tool: Tool) -> Diagnostic:
         hint="check the location, the supply of parts and the tool's `capture`",
         data={"pass": grip.origin.visit},
     )
+
+
+def _too_wide(run: CellRun, at: StationRun, tool: Tool, grip: GripInstruction) -> tuple[Diagnostic, ...]:
+    """Return S726 where the part in a gripper does not fit between its fingers; once for each line."""
+    moment, hand = run.moment(at.due), tool_body(tool.name, at.station.name)
+    part = run.scenery.parts.get(run.parts.held({hand}))
+    if part is None or tool.fingers is None:
+        return ()
+    X_TO = (moment.carriers[hand] @ tool.X_MT).inverse() @ moment.pose(run.parts.seats[part.name])
+    width, stroke, span = width_between(part, X_TO), 2.0 * tool.fingers.opened, grip.origin.span
+    known = any(one.code == WIDER_THAN_FINGERS.code and one.span == span for one in run.findings)
+    if width <= stroke * (1.0 + _ROUNDING) or known:
+        return ()
+    finding = WIDER_THAN_FINGERS.at(
+        span,
+        f"part `{part.name}` is {width * 1e3:.4g} mm wide between the fingers of `{tool.name}`, "
+        f"which open to {stroke * 1e3:.4g} mm",
+        label=f"pass {grip.origin.visit}",
+        hint="grip it across a narrower edge, or with a gripper of a greater stroke",
+        data={"found_mm": width * 1e3, "allowed_mm": stroke * 1e3, "pass": grip.origin.visit},
+    )
+    return (finding,)
+
+
+def width_between(part: Part, X_TO: Pose) -> float:
+    """Return the edge of a part that lies nearest to the direction in which fingers close [m].
+
+    Args:
+        part: a box.
+        X_TO: its object frame in the tool frame, along y of which fingers close.
+    """
+    return float(part.size[int(np.abs(X_TO.rotation()[1]).argmax())])
 
 
 def go(profile: AxisProfile, time: float, dwell: float, target: float) -> None:

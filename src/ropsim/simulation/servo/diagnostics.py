@@ -30,8 +30,33 @@ The message names the first control tick at whose end a number was not finite, a
 not finite there the one from which the others follow: what the joint controller put out, what it remembers,
 the reference, the drive, the arm.
 
-Raise `plant_steps` in the controller's rates, or look for a gain, a mass or an inductance that is off by a
-power of ten.
+Where friction d stops an inertia J within a fraction of an integration step dt, the message names the axis
+and d/J·dt: most often the file of the robot has no rotor inertias, which are the greater part of what a
+geared axis moves. `ropsim robot estimate` adds them (S705).
+
+Otherwise raise `plant_steps` in the controller's rates, or look for a gain, a mass or an inductance that is
+off by a power of ten.
+""",
+)
+
+STEEP_FRICTION = define(
+    "S705",
+    "friction-too-steep",
+    Severity.WARNING,
+    "friction stops an axis within less than an integration step",
+    """
+Viscous friction, and dry friction that sets in over a small speed, brake an axis at the rate d/J: d is the
+slope of the friction over the speed of the joint, J the inertia that the axis moves. A fixed-step Runge-Kutta
+integration of fourth order is stable while the product of that rate and its step stays below 2.785. Beyond
+that the axis chatters about rest: settling times and lags are those of the chatter, or the state grows
+without bound (S701).
+
+Real geared axes do not do that, for their rotors are most of J: a rotor counts with the square of the gear
+ratio. Files in URDF have no place for rotors.
+
+**How to mend it.** `ropsim robot estimate FILE robots/NEW.stp` adds rotors and gears by stated rules, marked
+as estimated; `ropsim new --robot FILE` does so by itself. Or raise `plant_steps` under `[controller]`, or
+correct the friction.
 """,
 )
 

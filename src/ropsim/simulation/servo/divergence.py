@@ -4,9 +4,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ropsim.model import RobotModel
+from ropsim.model import Rates, RobotModel
 from ropsim.simulation.servo.diagnostics import DIVERGED, DivergedError
 from ropsim.simulation.servo.state import ServoState, StateLayout
+from ropsim.simulation.servo.stiffness import STEEP_HINT, steep_axes, steep_words
 from ropsim.spatial import Array
 
 
@@ -32,19 +33,22 @@ def first_fault(values: Array, ticks: int, advance: Callable[[int], None]) -> in
     return ticks
 
 
-def diverged(robot: RobotModel, state: ServoState, control_hz: int) -> DivergedError:
+def diverged(robot: RobotModel, state: ServoState, rates: Rates) -> DivergedError:
     """Return the error of a state at the first tick at which it is not finite.
 
     Args:
         robot: the arm.
         state: there.
-        control_hz: control ticks per second.
+        rates: of its controller.
     """
-    time = state.tick / control_hz
+    time = state.tick / rates.control_hz
     what = _first(robot, state.layout, state.values)
     when = f"{time:.6g} s (control tick {state.tick})"
     message = f"{what} is not finite any more at {when}; all numbers must be finite"
     hint = "look for a NaN in reference, payload, gains or a law of your own, or raise `plant_steps`"
+    steep = steep_axes(robot, rates)
+    if steep:
+        message, hint = f"{message}: {steep_words(robot, steep[0])}", STEEP_HINT
     return DivergedError(
         DIVERGED.at(None, message, hint=hint, data={"time_s": time, "tick": state.tick, "what": what})
     )

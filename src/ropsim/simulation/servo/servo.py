@@ -221,7 +221,7 @@ class Servo:
 
         ticks = first_fault(values, len(signals), advance)
         after = ServoState(state.tick + ticks, values.copy(), self.layout)
-        return diverged(self.robot, after, self.control_hz)
+        return diverged(self.robot, after, Rates(self.control_hz, plant_steps=self.plant_steps))
 
     def _slice(self, payload: Payload) -> Compiled:
         """Return the slice with the constants of the plant, and tool and part as the law takes them."""

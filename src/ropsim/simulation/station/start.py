@@ -3,6 +3,7 @@
 import math
 
 from ropsim.controller import CellSensors
+from ropsim.dynamics import check_moved_masses
 from ropsim.flow import Fidelity, in_time
 from ropsim.model import Cell, Device, Payload, Station, link_name, tool_body
 from ropsim.planning import standard_chain
@@ -20,6 +21,7 @@ from ropsim.simulation.records.plant import Plant
 from ropsim.simulation.records.tool_frames import ToolFrames
 from ropsim.simulation.records.track import tick_at
 from ropsim.simulation.servo.checks import check_option, check_time
+from ropsim.simulation.servo.stiffness import steep_findings
 from ropsim.simulation.state.cell_run import CellRun
 from ropsim.simulation.state.inputs import check_interventions, signal_track, usable_inputs, with_inputs
 from ropsim.simulation.state.run_options import RunOptions
@@ -35,6 +37,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
 
     Raises:
         OptionError: S703, an option cannot be.
+        MissingMassError: M590 or M591, links that drives are to move have no mass.
     """
     check_option("record_hz", options.record_hz)
     check_option("most_rows", options.most_rows)
@@ -73,7 +76,7 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         ordered=options.ordered,
         plan=options.plan,
         watch=options.watch,
-        findings=[*findings, *undriven(cell, options.fidelity)],
+        findings=[*findings, *undriven(cell, options.fidelity), *steep_findings(cell, options.fidelity)],
         placements=list(at_start(scenery.tree, parts, scenery.objects)),
         tracks={f"signal.{name}": signal_track(signal, hz) for name, signal in cell.signals.items()},
         inputs=list(inputs),
@@ -143,4 +146,5 @@ def _plant(cell: Cell, station: Station, load: Payload, options: RunOptions, sen
     if options.fidelity is Fidelity.KINEMATIC or not station.robot.drives:
         record_ticks = options.record_ticks(station.controller.rates.control_hz)
         return KinematicPlant(station.robot, station.q_start, record_ticks, options.most_rows)
+    check_moved_masses(station.robot)
     return ServoPlant(cell, station, load, options, senses.read)

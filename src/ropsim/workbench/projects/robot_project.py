@@ -12,6 +12,7 @@ from ropsim.simulation import RunOptions
 from ropsim.workbench.projects.first_way import FirstWay, first_ways, turning
 from ropsim.workbench.projects.opening import open_project
 from ropsim.workbench.robots.carried_meshes import carried, plain_name
+from ropsim.workbench.robots.completed_robot import completed_robot
 from ropsim.workbench.robots.named_robot import NamedRobot, RobotFileError, find_robot, written_robot
 
 _HEAD = "program {name}\nunits mm, deg, s\n\n"
@@ -33,7 +34,8 @@ def fill_robot_project(folder: Path, name: str, source: RobotSource) -> None:
         folder: of the project.
         name: of its cell and its program.
         source: path of a robot file, or the name of a built-in robot. A file of our own formats is copied
-            with its meshes; a robot in another format becomes a NIROX file, as by `ropsim robot import`.
+            with its meshes; a robot in another format becomes a NIROX file, as by `ropsim robot import`, with
+            estimated rotors, gears and friction where it has masses and torques alone.
 
     Raises:
         UnknownRobotError: X860, no built-in robot has this name.
@@ -45,7 +47,8 @@ def fill_robot_project(folder: Path, name: str, source: RobotSource) -> None:
         raise RobotFileError(next(one for one in found.findings if one.is_error))
     model, named = found.robot, source.path
     if found.text:
-        take = _imported if is_foreign_file(source.path) else _copied
+        foreign = is_foreign_file(source.path)
+        take, model = (_imported, completed_robot(model)) if foreign else (_copied, model)
         named = take(folder, Path(source.path), found, model)
     (folder / "programs").mkdir(parents=True)
     head = _HEAD.format(name=name) + (_CAREFUL if swings(model) else "")

@@ -9,7 +9,7 @@ import pytest
 from ropsim import robots
 from ropsim.codegen import Engine
 from ropsim.core import Diagnostic
-from ropsim.dynamics import compiled, rotor_inertias
+from ropsim.dynamics import compiled, greatest_gravity_loads, rotor_inertias
 from ropsim.kinematics import configurations
 from ropsim.model import (
     ArmClass,
@@ -27,7 +27,14 @@ from ropsim.model import (
     audit,
 )
 from ropsim.robotfile import ArmFacts, TorqueTrust, estimated_dynamics
-from ropsim.robotfile.testing import axis_loads, full_accelerations, gravity_torques, with_payload
+from ropsim.robotfile.testing import (
+    are_stand_ins,
+    axis_loads,
+    full_accelerations,
+    gravity_torques,
+    link_masses,
+    with_payload,
+)
 
 ESTIMATES = ("masses", "torque limits", "rotors and gears", "friction", "joint accelerations")
 
@@ -113,18 +120,56 @@ def test_accelerations_are_those_of_nine_tenths_of_the_torque_in_most_postures(n
     np.testing.assert_allclose(shares[free], 0.75, atol=0.01)
 
 
-def test_a_torque_of_a_file_that_does_not_hold_the_arm_is_replaced_and_named() -> None:
-    """TX60: its description says 71 N·m for axis 2, of which an arm of 51 kg takes more than all."""
-    given = [126.0, 71.0, 38.0, 7.0, 8.0, 2.0]
-    robot = bare("tx60")
+def with_limits(robot: RobotModel, *given: float) -> RobotModel:
     joints = [replace(one, max_effort=tau) for one, tau in zip(robot.joints, given, strict=True)]
-    facts = ArmFacts(total_mass=51.4, payload=3.5)
-    made = estimated(replace(robot, joints=tuple(joints)), facts)
+    return replace(robot, joints=tuple(joints))
+
+
+def test_a_torque_of_a_file_that_does_not_hold_the_arm_is_replaced_and_both_numbers_are_said() -> None:
+    """TX60: its description says 71 N·m for axis 2, of which an arm of 51 kg takes more than all."""
+    robot = with_limits(bare("tx60"), 126.0, 71.0, 38.0, 7.0, 8.0, 2.0)
+    made = estimated(robot, ArmFacts(total_mass=51.4, payload=3.5))
     origin = words(made, "torque limits")
-    assert origin.parameters == "torque limits of J2, J3, J4 (×1.7)"
+    assert origin.parameters == "torque limits of J2 (×1.7)"
     assert made.max_efforts[0] == 126.0
     assert made.max_efforts[1] > 100.0
-    assert "do not hold the arm" in origin.source
+    held = greatest_gravity_loads(with_payload(made, 3.5))[1]
+    assert f"do not hold the arm: J2 71 of which gravity takes {held:.4g}" in origin.source
+
+
+def test_torques_of_a_file_stay_where_they_hold_the_arm_with_its_payload() -> None:
+    """UR10e: 330 and 150 N·m (Universal Robots), of which gravity with 10 kg takes 80 and 82 %."""
+    robot = replace(robots.load("ur10e"), drives=(), origins=())
+    made = estimated(robot)
+    np.testing.assert_array_equal(made.max_efforts, robot.max_efforts)
+    assert (greatest_gravity_loads(with_payload(made, 10.0)) < made.max_efforts).all()
+    assert not [one for one in made.origins if "torque limits" in one.parameters]
+    assert "torque of shoulder_lift, elbow:" in words(made, "balance of the arm").source
+
+
+@pytest.mark.parametrize(
+    ("limits", "are"),
+    [
+        ((1000.0,) * 6, True),
+        ((300.0, 300.0, 200.0, 100.0, 100.0, 100.0), True),
+        ((54.0, 54.0, inf), True),
+        ((330.0, 330.0, 150.0, 56.0), False),
+        ((100.0, inf, inf), False),
+        ((inf, inf), False),
+    ],
+)
+def test_equal_limits_and_round_hundreds_are_stand_ins(limits: tuple[float, ...], are: bool) -> None:
+    assert are_stand_ins(np.array(limits)) is are
+
+
+def test_a_stand_in_has_to_leave_a_quarter_for_motion() -> None:
+    """Gravity takes about 264 N·m of axis 2 of the UR10e with 10 kg: 300 N·m hold it, 88 % of them used."""
+    robot = replace(robots.load("ur10e"), drives=())
+    made = estimated(with_limits(robot, 300.0, 300.0, 300.0, 100.0, 100.0, 100.0))
+    assert made.max_efforts[1] > 300.0
+    assert made.max_efforts[2] == 300.0
+    kept = estimated(with_limits(robot, 300.0, 300.0, 300.0, 100.0, 100.0, 90.0))
+    assert kept.max_efforts[1] == 300.0
 
 
 def test_a_torque_that_the_maker_stands_for_stays_and_the_arm_is_said_to_be_balanced() -> None:
@@ -291,3 +336,29 @@ def test_a_palletizer_has_the_shares_of_its_bodies(name: str) -> None:
     assert robot.max_efforts == pytest.approx(
         [1.4 * gravity[1], 1.4 * gravity[1], 2.0 * gravity[2], 0.09 * 1.4 * gravity[1]]
     )
+
+
+def partly_massless(name: str, *without: int) -> RobotModel:
+    robot = replace(robots.load(name), drives=(), origins=())
+    nothing = Link(0.0, np.zeros(3), np.zeros((3, 3)))
+    links = tuple(nothing if k in without else link for k, link in enumerate(robot.links))
+    return replace(robot, links=links)
+
+
+def test_links_without_mass_get_theirs_by_rule_and_the_others_keep_it() -> None:
+    """Of the UR5e with 20.6 kg: its shares of cobots, 0.855 of them moving."""
+    robot = partly_massless("ur5e", 0, 1, 3)
+    made = estimated(robot, ArmFacts(total_mass=20.6))
+    by_rule = link_masses(ArmClass.COBOT, 6, 20.6).links
+    for k, (link, own) in enumerate(zip(made.links, robot.links, strict=True)):
+        assert link == own if k not in (0, 1, 3) else link.mass == pytest.approx(by_rule[k])
+    origin = words(made, "masses")
+    assert origin.parameters == "masses of 3 of 6 links (loads ×12 %)".replace("×", "±")
+    assert origin.source.endswith("of the links behind shoulder_pan, shoulder_lift, wrist_1")
+
+
+def test_an_arm_with_some_masses_and_no_payload_is_refused_by_the_links_without() -> None:
+    robot = replace(partly_massless("ur5e", 2), rated_payload=inf)
+    found = estimated_dynamics(robot)
+    assert isinstance(found, Diagnostic)
+    assert "has neither masses of the links behind elbow nor a rated payload" in found.message
