@@ -65,18 +65,16 @@ def _description(root: Element, options: ReadOptions, notes: Notes) -> Descripti
         return None
     settings = settings_of(root, notes)
     reader = BodyReader(settings, assets_of(root, settings), options.folder, notes)
-    worlds = root.all("worldbody")
-    if not worlds:
+    if root.first("worldbody") is None:
         notes.add(ELEMENT_MISSING, root.span, "the file has no `worldbody`", "bodies stand in it")
         return None
-    whole = replace(worlds[0], children=tuple(one for world in worlds for one in world.children))
-    made = with_replicas(whole, settings, notes)
-    if made is None:
+    whole = with_replicas(root, settings, notes)
+    if whole is None:
         return None
-    reader.read(made)
     check_attributes(root, notes)
-    connections = driven(coupled(reader.connections, root, notes), root, settings, notes)
-    axes = axis_names(connections, root)
+    reader.read(whole.children[0])
+    connections = driven(coupled(reader.connections, whole, notes), whole, settings, notes)
+    axes = axis_names(connections, whole)
     connections = limited(connections, axes, root, notes)
     _losses(root, notes)
     return Description(

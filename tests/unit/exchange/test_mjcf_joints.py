@@ -4,6 +4,7 @@ from dataclasses import replace
 from math import inf
 from typing import Any
 
+import mujoco
 import numpy as np
 import pytest
 
@@ -79,6 +80,48 @@ def test_the_smaller_effort_of_joint_and_actuator_counts() -> None:
     actuator = '<motor joint="j" forcerange="-10 10"/>'
     assert effort_of(joint='actuatorfrcrange="-30 30"', actuator=actuator) == 10.0
     assert effort_of(joint='actuatorfrcrange="-5 5"', actuator=actuator) == 5.0
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        ('forcerange="-1 3" gear="2"', 'ctrlrange="-2 1" gear="-1"'),
+        ('forcerange="-1 3" ctrlrange="-2 2"', 'forcerange="-3 1" ctrlrange="-9 9"'),
+        ('forcerange="0 3"', 'forcerange="-8 1"'),
+    ],
+)
+def test_efforts_of_actuators_of_one_joint_are_added(first: str, second: str) -> None:
+    text = ONE_AXIS.format(
+        joint="",
+        more="",
+        actuator=f'<motor joint="j" {first}/><motor jointinparent="j" {second}/>',
+        autolimits="true",
+    )
+    model: Any = MujocoFile(text).model
+    data: Any = mujoco.MjData(model)
+    efforts = []
+    for control in (-1e4, 1e4):
+        data.ctrl[:] = control * np.sign(model.actuator_gear[:, 0])
+        mujoco.mj_forward(model, data)
+        efforts.append(abs(float(data.qfrc_actuator[0])))
+    robot = read(text).robot
+    assert robot is not None
+    assert robot.max_efforts.tolist() == [max(efforts)]
+
+
+def test_an_actuator_without_limits_beside_one_with_them_is_named() -> None:
+    actuators = '<motor joint="j" forcerange="-1 3"/><damper joint="j" kv="1" ctrlrange="0 1"/>'
+    found = read(ONE_AXIS.format(joint="", more="", actuator=actuators, autolimits="true"))
+    assert found.robot is not None
+    assert found.robot.max_efforts.tolist() == [inf]
+    data = {key: names for finding in found.findings for key, names in finding.data.items()}
+    assert data["efforts without bounds"] == ("j",)
+
+
+def test_actuators_of_joints_that_are_left_out_are_named() -> None:
+    found = read(ONE_AXIS.format(joint="", more="", actuator='<motor joint="none"/>', autolimits="true"))
+    data = {key: names for finding in found.findings for key, names in finding.data.items()}
+    assert data["actuators of other joints"] == ("none",)
 
 
 @pytest.mark.parametrize("default", ["general", "motor", "position", "velocity", "cylinder", "pid"])
