@@ -20,7 +20,7 @@ SIXTH, THIRD = 1.0 / 6.0, 1.0 / 3.0
 
 
 TO_REST = 17
-"""Row of a table at which the fall begins from a path segment to the end of the path; see `keep`."""
+"""Row of a table at which the fall begins from a path segment to the end of the path; see `write_fall`."""
 
 
 class Fall(NamedTuple):
@@ -82,25 +82,25 @@ def stoppable_speed(table: Array, path_segment: int, s: float, ahead: int) -> fl
     fall = from_border(0.0)
     if table[10, ahead] >= path_segment:
         known = int(table[10, ahead])
-        fall = _kept(table[11:, ahead])
+        fall = _fall_of(table[11:, ahead])
     for k in range(known, path_segment, -1):
         fall = longer_fall(fall, table[0, k], table[2, k], table[3, k], table[4, k])
         if fall.length == 0.0 and fall.speed == table[TO_REST, k]:
-            fall = _kept(table[TO_REST:, path_segment + 1])
+            fall = _fall_of(table[TO_REST:, path_segment + 1])
             break
     table[10, ahead] = path_segment
-    keep(fall, table[11:, ahead])
+    write_fall(fall, table[11:, ahead])
     length, most = table[0, path_segment] - s, table[1, path_segment]
     return longer_fall(fall, length, table[2, path_segment], table[3, path_segment], most).speed
 
 
-def keep(fall: Fall, column: Array) -> None:
+def write_fall(fall: Fall, column: Array) -> None:
     """Write the numbers of a fall into the first rows of a column."""
     column[0], column[1], column[2] = fall.speed, fall.base, fall.length
     column[3], column[4], column[5] = fall.acceleration, fall.jerk, fall.most
 
 
-def _kept(column: Array) -> Fall:
+def _fall_of(column: Array) -> Fall:
     return Fall(column[0], column[1], column[2], column[3], column[4], column[5])
 
 

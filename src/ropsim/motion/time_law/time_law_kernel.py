@@ -23,7 +23,13 @@ speed to which its start can be levelled off.
 from math import inf
 
 from ropsim.codegen import Array1, Array2, Array3, kernel
-from ropsim.motion.time_law.levelling_kernel import TO_REST, from_border, keep, longer_fall, stoppable_speed
+from ropsim.motion.time_law.levelling_kernel import (
+    TO_REST,
+    from_border,
+    longer_fall,
+    stoppable_speed,
+    write_fall,
+)
 from ropsim.motion.time_law.meeting_kernel import write_meeting
 from ropsim.motion.time_law.rises_kernel import write_rises
 from ropsim.spatial import Array
@@ -138,8 +144,8 @@ def _look_ahead(table: Array) -> bool:
     if not limited:
         return False
     fall = from_border(0.0)
-    keep(fall, table[TO_REST:, p])
+    write_fall(fall, table[TO_REST:, p])
     for k in range(p - 1, -1, -1):
         fall = longer_fall(fall, table[0, k], table[2, k], table[3, k], table[4, k])
-        keep(fall, table[TO_REST:, k])
+        write_fall(fall, table[TO_REST:, k])
     return True

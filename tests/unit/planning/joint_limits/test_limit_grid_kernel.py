@@ -120,6 +120,7 @@ def test_a_horizon_is_the_last_stage_of_the_last_move_that_is_known(seed: int, l
     legs = np.cumsum(rng.integers(0, 3, 9)).astype(np.float64)
     counts = rng.integers(1, 4, 9).astype(np.float64)
     bounds = np.full((int(counts.sum()), 6), np.nan)
+    bounds[:, :4] = 1.0
     lay_horizons(legs, counts, look_ahead, 0.0, bounds)
     lasts = np.cumsum(counts) - 1.0
     wanted = np.full(len(bounds), -1.0)
