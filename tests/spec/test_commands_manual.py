@@ -87,7 +87,7 @@ def test_json_documents_have_the_entries_that_the_manual_names(
         "icr run my_cell": {"ok", "instructions", "steps"} | found,
         "robot list": {"robots", "files"},
         "robot show puma560": {
-            *("name", "title", "conformance", "rated_payload", "joints", "following"),
+            *("name", "title", "conformance", "rated_payload", "tool_motion", "joints", "following"),
             *("inverse_kinematics", "origins", "tip"),
         },
         "robot audit puma560": {"ok", "tip"} | found,

@@ -9,7 +9,7 @@ from ropsim import robots
 from ropsim.core import Diagnostic, Span
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import forward_batch
-from ropsim.model import Frame, Tool
+from ropsim.model import Frame, LookAhead, Tool
 from ropsim.motion import JERK_LIMITED, TIME_LAWS
 from ropsim.planning import MotionChain, MotionPlan, MotionState, Refusal, TimingRules, plan, plan_move
 from ropsim.spatial import Array, Pose
@@ -34,7 +34,7 @@ CELL = one_station(
 CHAIN = chain_of(CELL)
 
 Target = Pose | tuple[float, ...] | None
-AHEAD = 10
+AHEAD = LookAhead()
 RULES = TimingRules(TIME_LAWS[JERK_LIMITED], AHEAD)  # of sections of a motion sequence
 
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ropsim.model import ControllerModel, PathDefaults, Station
+from ropsim.model import ControllerModel, LookAhead, PathDefaults, Station
 from ropsim.spatial import Array, frozen, record
 
 ORDERS = 3
@@ -19,12 +19,12 @@ class MotionSettings:
         joints: speed, acceleration and jerk of each axis [rad | m, by s, s², s³], shape (3, n).
         tool: the same on tool paths where the program says nothing, of the TCP [m] and of the orientation
             [rad], shape (3, 2).
-        look_ahead: how many moves beyond the present one are known.
+        look_ahead: how far beyond the present move the path is known.
     """
 
     joints: Array
     tool: Array
-    look_ahead: int
+    look_ahead: LookAhead
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "joints", frozen(self.joints))

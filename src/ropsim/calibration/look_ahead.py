@@ -9,11 +9,13 @@ from ropsim.calibration.logged_sequence import LoggedSequence
 from ropsim.calibration.refining import fits_under, total_error
 from ropsim.calibration.replanning import Replan
 from ropsim.core import frozen_dataclass
+from ropsim.model import LookAhead
 from ropsim.planning import MotionSequence
 
 MOST = 40
 """Largest look-ahead that is distinguished from a larger one."""
 
+_NONE = LookAhead(0, 0.0)
 _TICKS = 1.5
 _AS_GOOD = 1.02
 """Factor of the squared error within which a look-ahead is as good as the best one."""
@@ -24,30 +26,30 @@ class FoundLookAhead:
     """Result of the search for the look-ahead.
 
     Attributes:
-        value: number of moves.
+        value: the look-ahead.
         kind: whether it is exact, a lower bound, or not determined by the trace.
     """
 
-    value: int
+    value: LookAhead
     kind: Knowledge
 
 
-def with_look_ahead(settings: MotionSettings, value: int) -> MotionSettings:
+def with_look_ahead(settings: MotionSettings, value: LookAhead) -> MotionSettings:
     """Return settings with another look-ahead."""
     return replace(settings, look_ahead=value)
 
 
-def choices(orders: Sequence[MotionSequence], numbers: Sequence[int]) -> range:
-    """Return the look-aheads that may differ: none beyond the longest sequence does."""
+def choices(orders: Sequence[MotionSequence], numbers: Sequence[int]) -> tuple[LookAhead, ...]:
+    """Return the look-aheads in moves that may differ: none beyond the longest sequence does."""
     longest = max((len(orders[number].moves) for number in numbers), default=1)
-    return range(min(longest, MOST + 1))
+    return tuple(LookAhead(moves, 0.0) for moves in range(min(longest, MOST + 1)))
 
 
-def depends(replan: Replan, number: int, settings: MotionSettings, most: int) -> bool:
+def depends(replan: Replan, number: int, settings: MotionSettings, most: LookAhead) -> bool:
     """Return whether a motion sequence lasts longer with a shorter look-ahead."""
-    least, all_of_it = (
-        replan(number, with_look_ahead(settings, value)) for value in (0, max(most, settings.look_ahead))
-    )
+    known = settings.look_ahead
+    furthest = LookAhead(max(most.moves, known.moves), known.braking)
+    least, all_of_it = (replan(number, with_look_ahead(settings, value)) for value in (_NONE, furthest))
     return bool(least and all_of_it and least.ticks >= all_of_it.ticks + _TICKS)
 
 
@@ -55,8 +57,8 @@ def best_look_ahead(
     replan: Replan,
     logged: Sequence[LoggedSequence],
     settings: MotionSettings,
-    among: Sequence[int],
-    known: int,
+    among: Sequence[LookAhead],
+    known: LookAhead,
 ) -> FoundLookAhead:
     """Return the look-ahead under which sequences go most as in the trace.
 
@@ -64,7 +66,7 @@ def best_look_ahead(
         replan: plans the sequences.
         logged: sequences that depend on it.
         settings: limits in force.
-        among: look-aheads, rising.
+        among: look-aheads in rising order of moves.
         known: look-ahead that is kept where others are no better.
     """
     errors = {
@@ -74,8 +76,8 @@ def best_look_ahead(
     good = [value for value, error in errors.items() if error <= _AS_GOOD * least]
     if not logged or len(good) == len(errors):
         return FoundLookAhead(known, Knowledge.NOT_SEEN)
-    if good[-1] < among[-1]:
-        value = min(good, key=lambda one: (errors[one], one))
+    if good[-1] != among[-1]:
+        value = min(good, key=lambda one: (errors[one], one.moves))
         return FoundLookAhead(value, Knowledge.FITTED)
-    kept = max(known, good[0])
+    kept = known if known.moves >= good[0].moves else good[0]
     return FoundLookAhead(kept, Knowledge.AT_LEAST)

@@ -22,6 +22,7 @@ from ropsim.calibration.replanning import Replan
 from ropsim.calibration.sequence_fit import SequenceFit, fit_sequence
 from ropsim.core import frozen_dataclass
 from ropsim.flow import MotionKind
+from ropsim.model import LookAhead
 from ropsim.planning import MotionSequence
 
 _MOST_FITTED = 12
@@ -107,7 +108,7 @@ class Problem:
         return groups[0] >= groups[1]
 
     def _tried(
-        self, bound: Sequence[LoggedSequence], free: Sequence[LoggedSequence], among: Sequence[int]
+        self, bound: Sequence[LoggedSequence], free: Sequence[LoggedSequence], among: Sequence[LookAhead]
     ) -> MotionSettings:
         """Return the limits that fit best with any look-ahead, on a few sequences."""
         few = [*bound[:: max(1, len(bound) // _MOST_FOR_LOOK_AHEAD)], *free[:_MOST_FOR_LOOK_AHEAD]]

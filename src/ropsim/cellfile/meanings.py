@@ -70,7 +70,7 @@ MEANINGS: Mapping[str, str] = {
     "in_position": "A stop is over when every joint is this near to its target.",
     "settle_time": "For how long joints must be near and slow.",
     "settle_timeout": "Longest wait for that.",
-    "look_ahead": "How many moves beyond the present one the controller knows.",
+    "look_ahead": "How many moves ahead the controller knows; else ten, or 1.5 braking distances.",
     "via_zone": "Distance at which via points are passed where the program gives no zone.",
     "correction_size": "How far a sensor may shift a path to either side.",
     "correction_speed": "How quickly a sensor may shift a path.",

@@ -31,6 +31,7 @@ from ropsim.kinematics.chain.forward import tool_pose as tool_pose
 from ropsim.kinematics.chain.jacobian import frame_and_jacobian as frame_and_jacobian
 from ropsim.kinematics.chain.jacobian import jacobian as jacobian
 from ropsim.kinematics.chain.jacobian import jacobian_at as jacobian_at
+from ropsim.kinematics.chain.jacobian import jacobians_at as jacobians_at
 from ropsim.kinematics.chain.loop_freedom import loop_freedom as loop_freedom
 from ropsim.kinematics.chain.tool_pose_kernel import write_pose_product as write_pose_product
 from ropsim.kinematics.chain.tool_pose_kernel import write_tool_pose as write_tool_pose

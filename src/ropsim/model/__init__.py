@@ -68,6 +68,7 @@ from ropsim.model.controller import ControllerKind as ControllerKind
 from ropsim.model.controller import ControllerModel as ControllerModel
 from ropsim.model.controller import CorrectionLimits as CorrectionLimits
 from ropsim.model.controller import Gains as Gains
+from ropsim.model.controller import LookAhead as LookAhead
 from ropsim.model.controller import NoGains as NoGains
 from ropsim.model.controller import OrientationMode as OrientationMode
 from ropsim.model.controller import PathDefaults as PathDefaults

@@ -196,6 +196,21 @@ class PathDefaults:
     orientation_jerk: float = 60.0
 
 
+@frozen_dataclass
+class LookAhead:
+    """How far beyond the present move a controller knows its path: as far as the longer of both goes.
+
+    Attributes:
+        moves: number of moves; with 0 no zone is flown.
+        braking: length of path over the braking distance from the speed of the path to rest.
+    """
+
+    RANGES: ClassVar[Ranges] = {"moves": whole(0, 1_000_000, "moves"), "braking": between(0.0, 1e6)}
+
+    moves: int = 10
+    braking: float = 1.5
+
+
 @record
 class ControllerModel:
     """A whole controller.
@@ -210,7 +225,7 @@ class ControllerModel:
         settle_time: for which time both must hold [s].
         settle_timeout: longest wait for that [s]; beyond it a finding is made and the program goes on.
         speed_override: factor on all speeds, in (0, 1].
-        look_ahead: how many moves beyond the present one are known while it is made; with 0 no zone is flown.
+        look_ahead: how far beyond the present move the path is known.
         via_zone: distance at which via points are passed if the program sets no zone [m].
         orientation: how the tool turns on its paths.
         ptp: how the joints go together on PTP moves.
@@ -223,7 +238,6 @@ class ControllerModel:
         "settle_timeout": TIME,
         "settle_time": TIME,
         "speed_override": between(1e-6, 1.0),
-        "look_ahead": whole(0, 1_000_000, "moves"),
         "via_zone": EXTENT,
     }
 
@@ -235,7 +249,7 @@ class ControllerModel:
     settle_timeout: float = 1.0
     settle_time: float = 0.004
     speed_override: float = 1.0
-    look_ahead: int = 10
+    look_ahead: LookAhead = LookAhead()
     via_zone: float = 0.01
     orientation: OrientationMode = OrientationMode.FIXED_AXIS
     ptp: Synchronisation = Synchronisation.PHASE

@@ -17,6 +17,8 @@ from ropsim.robots.external_axes import gantry as gantry
 from ropsim.robots.external_axes import linear_track as linear_track
 from ropsim.robots.external_axes import tilting_turntable as tilting_turntable
 from ropsim.robots.external_axes import turntable as turntable
+from ropsim.robots.joint_path_limits import TOOL_LENGTH as TOOL_LENGTH
+from ropsim.robots.joint_path_limits import joint_path_limits as joint_path_limits
 from ropsim.robots.library import STANDARD_RATES as STANDARD_RATES
 from ropsim.robots.library import default_controller as default_controller
 from ropsim.robots.library import load as load

@@ -12,6 +12,7 @@ from ropsim.calibration.comparing import compared
 from ropsim.calibration.replanning import replanner
 from ropsim.core import Diagnostic
 from ropsim.flow import PathTracking
+from ropsim.model import LookAhead
 from support.logged_traces import OTHER, RATE, logged, site
 
 FACTORS = (1.0, 0.7, 1.3)
@@ -28,7 +29,8 @@ def robot_settings(look_ahead: int = 2) -> MotionSettings:
     """Return what the robot keeps to."""
     known = settings_of(site().station)
     factors = np.array(FACTORS)
-    return MotionSettings(known.joints * factors[:, None], known.tool * factors[:, None], look_ahead)
+    ahead = LookAhead(look_ahead, 0.0)
+    return MotionSettings(known.joints * factors[:, None], known.tool * factors[:, None], ahead)
 
 
 SHORT = """\
@@ -89,8 +91,8 @@ def test_limits_that_do_not_bind_are_lower_bounds_and_stay() -> None:
 
 
 def test_the_look_ahead_comes_back_exactly() -> None:
-    assert calibrated().before.look_ahead == 10
-    assert calibrated().after.look_ahead == 2
+    assert calibrated().before.look_ahead == LookAhead()
+    assert calibrated().after.look_ahead == LookAhead(2, 0.0)
     assert calibrated().look_ahead is Knowledge.FITTED
 
 

@@ -7,7 +7,7 @@ import pytest
 from ropsim import robots
 from ropsim.cellfile import limits_section, read_cell, with_limits, written_limits
 from ropsim.core import SourceText
-from ropsim.model import JointType, Station
+from ropsim.model import JointType, LookAhead, Station
 from ropsim.tomltext import diagnostics as kinds
 from ropsim.tomltext import with_values
 
@@ -70,7 +70,7 @@ def test_a_cell_file_is_given_limits_and_keeps_all_else(text: str) -> None:
     found, before = station(made.text), station(text)
     assert found.robot.max_speeds == pytest.approx(speeds, rel=1e-4)
     assert found.controller.path.speed == pytest.approx(0.7)
-    assert found.controller.look_ahead == 2
+    assert found.controller.look_ahead == LookAhead(2, 0.0)
     assert found.controller.gains == before.controller.gains
     assert ("\r\n" in made.text) == ("\r\n" in text)
     for line in text.splitlines():
@@ -84,8 +84,8 @@ def test_a_station_has_its_limits_in_its_own_section() -> None:
     source = SourceText("cell.toml", text)
     assert limits_section(source, "left") == ("stations", "left", "controller")
     made = with_limits(source, "left", {"look_ahead": "4"})
-    assert station(made.text, "left").controller.look_ahead == 4
-    assert station(made.text, "right").controller.look_ahead == 10
+    assert station(made.text, "left").controller.look_ahead == LookAhead(4, 0.0)
+    assert station(made.text, "right").controller.look_ahead == LookAhead()
 
 
 def test_units_of_the_file_are_written() -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import forward_batch
-from ropsim.model import Rates, RobotModel
+from ropsim.model import LookAhead, Rates, RobotModel
 from ropsim.motion import Effort, JointBounds, Reference, Ticks, ToolSection, as_planned
 from ropsim.planning import MotionChain, MotionPlan, MotionState, plan
 from ropsim.planning.testing import Trajectory, move_check
@@ -207,7 +207,7 @@ def test_one_move_in_a_stretch_is_planned_as_it_is_alone() -> None:
 
 @pytest.mark.parametrize("mix", MIXES)
 def test_without_look_ahead_the_arm_stops_at_every_target(mix: str) -> None:
-    done = planned_stretch(stretch(mix), START, with_controller(look_ahead=0))
+    done = planned_stretch(stretch(mix), START, with_controller(look_ahead=LookAhead(0, 0.0)))
     _, qd, _ = references(done)
     assert codes(done) == ["M560"] * 3
     assert "the controller does not look ahead" in done.findings[0].message
@@ -220,13 +220,26 @@ def test_the_further_the_controller_looks_the_faster_it_passes_short_moves() -> 
     shifts = np.linspace(0.0, 0.2, 41)[1:]
     moves = [lin(shifted(HERE, 0.0, float(y), 0.0), ModalState(zone=0.002)) for y in shifts]
     duration = {
-        ahead: planned_stretch(moves, START, with_controller(look_ahead=ahead)).duration
+        ahead: planned_stretch(moves, START, with_controller(look_ahead=LookAhead(ahead, 0.0))).duration
         for ahead in (0, 1, 2, 10, 40)
     }
     assert list(duration.values()) == sorted(duration.values(), reverse=True)
     assert duration[0] > duration[1] > duration[2] > duration[10]
     straight = planned(lin(shifted(HERE, 0.0, 0.2, 0.0))).duration
     assert duration[40] >= straight
+
+
+def test_short_moves_are_known_for_the_distance_in_which_the_arm_stops() -> None:
+    """On a straight line every move is passed at the bounds of one whole line, however short it is."""
+    shifts = np.linspace(0.0, 0.2, 81)[1:]
+    moves = [lin(shifted(HERE, 0.0, float(y), 0.0), ModalState(zone=0.001)) for y in shifts]
+    known, endless = (
+        planned_stretch(moves, START, with_controller(look_ahead=ahead)).duration
+        for ahead in (LookAhead(2, 1.5), LookAhead(1000, 0.0))
+    )
+    assert known <= 1.01 * endless
+    of_two = planned_stretch(moves, START, with_controller(look_ahead=LookAhead(2, 0.0))).duration
+    assert of_two > 2.0 * endless
 
 
 def test_a_move_that_cannot_be_made_ends_the_plan_at_the_target_before_it() -> None:

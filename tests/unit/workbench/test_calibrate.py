@@ -9,6 +9,7 @@ import pytest
 
 from ropsim.calibration import MotionSettings, settings_of
 from ropsim.cli.testing import main
+from ropsim.model import LookAhead
 from ropsim.workbench import open_project
 from support.logged_traces import CELL, logged, site, table
 
@@ -27,7 +28,7 @@ SHARES = (1.0, 0.7, 1.3)
 def text() -> str:
     made = site(PROGRAM)
     known, shares = settings_of(made.station), np.array(SHARES)[:, None]
-    return table(logged(made, MotionSettings(known.joints * shares, known.tool * shares, 10)), ";")
+    return table(logged(made, MotionSettings(known.joints * shares, known.tool * shares, LookAhead())), ";")
 
 
 @pytest.fixture

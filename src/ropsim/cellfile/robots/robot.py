@@ -13,6 +13,7 @@ from ropsim.model import (
     ControllerModel,
     CorrectionLimits,
     JointType,
+    LookAhead,
     OrientationMode,
     OriginKind,
     ParameterOrigin,
@@ -204,7 +205,7 @@ def _controller(
         in_position=_per_joint(table, "in_position", windows, controller.in_position, model),
         settle_timeout=table.number("settle_timeout", _SETTLE, controller.settle_timeout),
         settle_time=table.number("settle_time", _SETTLE, controller.settle_time),
-        look_ahead=table.integer("look_ahead", 0, _MOST_AHEAD, controller.look_ahead),
+        look_ahead=_look_ahead(table, controller.look_ahead),
         via_zone=table.number("via_zone", units.position.within(0.0, 1.0), controller.via_zone),
         orientation=OrientationMode(
             table.choice("orientation", [one.value for one in OrientationMode], controller.orientation.value)
@@ -236,6 +237,13 @@ def _with_given(origin: ParameterOrigin, given: Sequence[str]) -> ParameterOrigi
     if not given:
         return origin
     return replace(origin, source=f"{', '.join(given)} as in the cell file; the others {origin.source}")
+
+
+def _look_ahead(table: TomlTable, standard: LookAhead) -> LookAhead:
+    """Return the look-ahead; a number in the file is that of the real controller, and counts alone."""
+    given = "look_ahead" in table
+    moves = table.integer("look_ahead", 0, _MOST_AHEAD, standard.moves)
+    return LookAhead(moves, 0.0) if given else standard
 
 
 def _path(table: TomlTable, path: PathDefaults, units: Units) -> PathDefaults:

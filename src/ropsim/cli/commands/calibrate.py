@@ -75,8 +75,8 @@ def calibration_entry(calibration: Calibration) -> dict[str, object]:
         "remaining": {"rms": calibration.remaining, "worst": calibration.worst.remaining},
         "joint_error": calibration.error,
         "look_ahead": {
-            "before": calibration.before.look_ahead,
-            "after": calibration.after.look_ahead,
+            "before": calibration.before.look_ahead.moves,
+            "after": calibration.after.look_ahead.moves,
             "known": calibration.look_ahead.value,
         },
         "limits": {

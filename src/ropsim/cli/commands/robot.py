@@ -87,7 +87,10 @@ def show(options: argparse.Namespace, output: Output) -> int:
     if Path(options.name).suffix.lower() in _NIROX:
         demands = [one.value for one in ConformanceClass if one.name <= class_.name]
         lines.append(f"NIROX class {class_.name}: {', '.join(demands)}")
-    lines += ["", *_joint_rows(robot), *_following(robot), *_payload(robot), ""]
+    lines += ["", *_joint_rows(robot), *_following(robot), *_payload(robot)]
+    for text in _tool_motion(robot):
+        lines += textwrap.wrap(text, COLUMNS, subsequent_indent="  ") or [""]
+    lines.append("")
     for text in (*drive_lines(robot), *solver_lines(robot)):
         lines += textwrap.wrap(text, COLUMNS, subsequent_indent="  ")
     lines += ["", "where the numbers come from"]
@@ -104,6 +107,7 @@ def show(options: argparse.Namespace, output: Output) -> int:
             "title": robot.title,
             "tip": tip_name(asked),
             "rated_payload": robot.rated_payload if math.isfinite(robot.rated_payload) else None,
+            "tool_motion": _tool_motion_document(robot),
             "joints": [
                 {"name": joint.name, "type": joint.type.value, "lower": joint.lower, "upper": joint.upper}
                 for joint in robot.axis_joints
@@ -198,6 +202,30 @@ def _range(joint: Joint, lower: float, upper: float) -> str:
     if replace(joint, lower=lower, upper=upper).is_endless:
         return "endless"
     return f"{lower * scale:.1f} {unit} to {upper * scale:.1f} {unit}"
+
+
+def _tool_motion(robot: RobotModel) -> list[str]:
+    """Return a line for what the joints can do for the tool, where the robot is an arm."""
+    limits = robots.joint_path_limits(robot)
+    if limits is None:
+        return []
+    turning, turned = (
+        f"{float(f'{np.degrees(value):.2g}'):g}"
+        for value in (limits.orientation_speed, limits.orientation_acceleration)
+    )
+    place = f"tool, {robots.TOOL_LENGTH * 1e3:.0f} mm before the flange, amid the workspace"
+    return ["", f"{place}: {limits.acceleration:g} m/s², {turning} °/s, {turned} °/s²"]
+
+
+def _tool_motion_document(robot: RobotModel) -> dict[str, float] | None:
+    limits = robots.joint_path_limits(robot)
+    if limits is None:
+        return None
+    return {
+        "acceleration": limits.acceleration,
+        "orientation_speed": limits.orientation_speed,
+        "orientation_acceleration": limits.orientation_acceleration,
+    }
 
 
 def _payload(robot: RobotModel) -> list[str]:

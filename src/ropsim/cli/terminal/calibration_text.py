@@ -111,9 +111,9 @@ def _limits(calibration: Calibration, axes: Sequence[JointType], style: Style) -
             rows.append(_limit_row(calibration, f"{name} {unit}", numbers, factor))
     title = ("limit", *(f"{word}\n{power}" for word, power in zip(_WORDS, _POWERS, strict=True)))
     look = {
-        Knowledge.FITTED: f"{calibration.after.look_ahead}",
-        Knowledge.AT_LEAST: f"{calibration.after.look_ahead} (the trace would be the same with more)",
-        Knowledge.NOT_SEEN: f"{calibration.after.look_ahead} (the trace does not tell)",
+        Knowledge.FITTED: f"{calibration.after.look_ahead.moves}",
+        Knowledge.AT_LEAST: f"{calibration.after.look_ahead.moves} (the trace would be the same with more)",
+        Knowledge.NOT_SEEN: f"{calibration.after.look_ahead.moves} (the trace does not tell)",
     }[calibration.look_ahead]
     return [*columns_text(title, rows, style), f"look-ahead   {look}"]
 

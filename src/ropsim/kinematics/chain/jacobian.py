@@ -3,7 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays, joint_vector
+from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays, joint_rows, joint_vector
 from ropsim.kinematics.chain.steps_kernel import frames_and_jacobians
 from ropsim.model import Mechanism
 from ropsim.spatial import Array, Pose
@@ -62,6 +62,20 @@ def frame_and_jacobian(robot: Mechanism, q: npt.ArrayLike, X_MT: Pose) -> tuple[
     """
     T, J = _at_rows(chain_arrays(robot), joint_vector(robot, q)[np.newaxis], X_MT.matrix())
     return T[0], J[0]
+
+
+def jacobians_at(robot: Mechanism, Q: npt.ArrayLike, X_MT: Pose) -> tuple[Array, Array]:
+    """Return X_BT of a tool, homogeneous (k, 4, 4), and `jacobian_at` (k, 6, n) at many configurations.
+
+    Args:
+        robot: mechanism with n axes.
+        Q: coordinates of the axes [rad | m], shape (k, n).
+        X_MT: tool frame in the mechanical interface frame.
+
+    Raises:
+        ArrayShapeError: M551, Q has another shape.
+    """
+    return _at_rows(chain_arrays(robot), joint_rows(robot, Q), X_MT.matrix())
 
 
 def least_singular_values(chain: ChainArrays, rows: Array) -> Array:

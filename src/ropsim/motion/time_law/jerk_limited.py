@@ -73,7 +73,7 @@ def _work_arrays(p: int) -> tuple[Array, Array, Array, Array, Array]:
     """Return the work arrays and outputs of p path segments for `plan_segments`."""
     if p == 0:
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, "a path has no segments, allowed is one or more"))
-    tables, rises = np.empty((3, 12, p + 1)), np.empty((3, 8, _SEGMENTS * p))
+    tables, rises = np.empty((3, 23, p + 1)), np.empty((3, 8, _SEGMENTS * p))
     return tables, rises, np.empty((8, 2 * _SEGMENTS * p)), np.empty(p), np.empty(2)
 
 

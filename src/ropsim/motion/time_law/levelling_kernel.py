@@ -1,6 +1,7 @@
 """Levelling a rise off: its acceleration taken back to 0 with full jerk; see `time_law_kernel`."""
 
 from math import inf, sqrt
+from typing import NamedTuple
 
 from ropsim.spatial import Array
 
@@ -18,29 +19,89 @@ NEWTON = 2e-8
 SIXTH, THIRD = 1.0 / 6.0, 1.0 / 3.0
 
 
+TO_REST = 17
+"""Row of a table at which the fall begins from a path segment to the end of the path; see `write_fall`."""
+
+
+class Fall(NamedTuple):
+    """A fall to rest, backwards: over the last of its path segments it begins and ends without acceleration.
+
+    Attributes:
+        speed: at its start.
+        base: speed where those path segments end.
+        length: of them.
+        acceleration: least of their bounds.
+        jerk: least of their bounds.
+        most: least bound of the speed at the borders between them.
+    """
+
+    speed: float
+    base: float
+    length: float
+    acceleration: float
+    jerk: float
+    most: float
+
+
+def from_border(speed: float) -> Fall:
+    """Return a fall from a speed without acceleration where a path segment ends."""
+    return Fall(speed, speed, 0.0, inf, inf, inf)
+
+
+def longer_fall(fall: Fall, length: float, acceleration: float, jerk: float, most: float) -> Fall:
+    """Return a fall that begins a path segment earlier.
+
+    It begins with the higher speed of two: from where it has no acceleration at the border, or from where it
+    has none before, with the least bounds of all path segments from there on.
+
+    Args:
+        fall: behind the path segment.
+        length: of the path segment.
+        acceleration: bound on it.
+        jerk: bound on it.
+        most: bound of the speed at its start.
+    """
+    alone = reached_within(fall.speed, length, acceleration, jerk, most)
+    longer, a, j = fall.length + length, min(fall.acceleration, acceleration), min(fall.jerk, jerk)
+    together = reached_within(fall.base, longer, a, j, min(most, fall.most))
+    if max(alone, together) >= most:
+        return Fall(most, most, 0.0, inf, inf, inf)
+    if alone > together:
+        return Fall(alone, fall.speed, length, acceleration, jerk, most)
+    return Fall(together, fall.base, longer, a, j, min(most, fall.most))
+
+
 def stoppable_speed(table: Array, path_segment: int, s: float, ahead: int) -> float:
     """Return a speed, without acceleration, from which the motion can stop before a horizon.
 
     Segments behind the horizon do not matter if both are equally fast. The backward pass from there is kept.
     """
-    known, speed = int(table[5, ahead]), 0.0
+    known = int(table[5, ahead])
     if path_segment > known:
-        return speed
+        return 0.0
+    fall = from_border(0.0)
     if table[10, ahead] >= path_segment:
-        known, speed = int(table[10, ahead]), table[11, ahead]
+        known = int(table[10, ahead])
+        fall = _fall_of(table[11:, ahead])
     for k in range(known, path_segment, -1):
-        speed = reached_within(speed, table[0, k], table[2, k], table[3, k], table[4, k])
-        if speed == table[9, k]:
-            speed = table[9, path_segment + 1]
+        fall = longer_fall(fall, table[0, k], table[2, k], table[3, k], table[4, k])
+        if fall.length == 0.0 and fall.speed == table[TO_REST, k]:
+            fall = _fall_of(table[TO_REST:, path_segment + 1])
             break
-    table[10, ahead], table[11, ahead] = path_segment, speed
-    return reached_within(
-        speed,
-        table[0, path_segment] - s,
-        table[2, path_segment],
-        table[3, path_segment],
-        table[1, path_segment],
-    )
+    table[10, ahead] = path_segment
+    write_fall(fall, table[11:, ahead])
+    length, most = table[0, path_segment] - s, table[1, path_segment]
+    return longer_fall(fall, length, table[2, path_segment], table[3, path_segment], most).speed
+
+
+def write_fall(fall: Fall, column: Array) -> None:
+    """Write the numbers of a fall into the first rows of a column."""
+    column[0], column[1], column[2] = fall.speed, fall.base, fall.length
+    column[3], column[4], column[5] = fall.acceleration, fall.jerk, fall.most
+
+
+def _fall_of(column: Array) -> Fall:
+    return Fall(column[0], column[1], column[2], column[3], column[4], column[5])
 
 
 def reached_within(speed: float, length: float, acceleration: float, jerk: float, most: float) -> float:

@@ -13,9 +13,9 @@ and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, sect
 
 In a table of a path stand, in a column for each path segment: length, speed, acceleration, jerk, bound of the
 speed at its start, horizon; then, where a rise starts at a path segment, its first segment, the one behind
-its last, and the speed to which its end can be levelled off; then the speed at its start from which all of
-the rest can be made; at last, for its horizon, a path segment and the speed at the end of that from which the
-motion can stop in time, if already found. The last column is the end of the path. In a table of segments
+its last, and the speed to which its end can be levelled off; then a row that is free; for its horizon, a path
+segment and the fall behind it with which the motion stops in time, if already found; at last the fall from
+its start to the end of the path (see `Fall`). The last column is the end of the path. In a table of segments
 stand path segment, path parameter, speed, acceleration, jerk, duration, path parameter at the end, and the
 speed to which its start can be levelled off.
 """
@@ -23,7 +23,13 @@ speed to which its start can be levelled off.
 from math import inf
 
 from ropsim.codegen import Array1, Array2, Array3, kernel
-from ropsim.motion.time_law.levelling_kernel import reached_within, stoppable_speed
+from ropsim.motion.time_law.levelling_kernel import (
+    TO_REST,
+    from_border,
+    longer_fall,
+    stoppable_speed,
+    write_fall,
+)
 from ropsim.motion.time_law.meeting_kernel import write_meeting
 from ropsim.motion.time_law.rises_kernel import write_rises
 from ropsim.spatial import Array
@@ -41,7 +47,7 @@ def plan_segments(
     Args:
         bounds: of the path segments in columns: length, speed, acceleration, jerk, ratio, horizon (see
             `Interval`), of shape (p, 6).
-        tables: work: the tables forwards and backwards, units and lengths, shape (3, 12, p + 1).
+        tables: work: the tables forwards and backwards, units and lengths, shape (3, 23, p + 1).
         rises: work: the tables of rises, of falls, and segments backwards, of shape
             (3, 8, 8·p).
         rows: where the segments go: path segment, time at the start [s], path parameter, speed, acceleration,
@@ -80,9 +86,9 @@ def _lay_out(bounds: Array, tables: Array) -> int:
             return i
         horizon = bounds[i, 5]
         there[5, i] = horizon if 0.0 <= horizon < p - 1 else inf
-        there[9, i], gone[i + 1] = inf, gone[i] + there[0, i]
+        gone[i + 1] = gone[i] + there[0, i]
         there[4, i] = 0.0 if i == 0 or bounds[i, 4] == 0.0 else min(there[1, i - 1], there[1, i])
-    there[4, p], there[9, p] = 0.0, inf
+    there[4, p] = 0.0
     if _look_ahead(there):
         for i in range(p - 1):
             if there[5, i] < inf and there[4, i + 1] > 0.0:
@@ -130,24 +136,16 @@ def _is_wrong(bounds: Array, table: Array, i: int) -> bool:
 
 
 def _look_ahead(table: Array) -> bool:
-    """Write from which speeds, without acceleration, it can stop at the end; say whether a horizon counts.
-
-    Existing ones were found before bounds were lowered: only lower ones are found again. Initially they are
-    infinite.
-    """
+    """Write the falls from all path segments to the end of the path; return whether a horizon counts."""
     p, limited = table.shape[1] - 1, False
     for i in range(p):
         limited = limited or table[5, i] < inf
         table[10, i] = -1.0
     if not limited:
         return False
-    lower = table[9, p] > 0.0
-    table[9, p] = 0.0
+    fall = from_border(0.0)
+    write_fall(fall, table[TO_REST:, p])
     for k in range(p - 1, -1, -1):
-        before = table[9, k]
-        if lower:
-            table[9, k] = reached_within(table[9, k + 1], table[0, k], table[2, k], table[3, k], table[4, k])
-        else:
-            table[9, k] = min(before, table[4, k])
-        lower = table[9, k] < before
+        fall = longer_fall(fall, table[0, k], table[2, k], table[3, k], table[4, k])
+        write_fall(fall, table[TO_REST:, k])
     return True

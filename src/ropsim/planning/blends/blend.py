@@ -94,7 +94,7 @@ def blend_between(chain: MotionChain, before: PlannedMove, behind: PlannedMove) 
         before: the move that ends at the blend, with a zone.
         behind: the move that begins there.
     """
-    if chain.controller.look_ahead < 1:
+    if chain.controller.look_ahead.moves < 1:
         return Stop.NO_LOOK_AHEAD
     if before.joints is None:
         return Stop.NO_WAY_TO

@@ -21,6 +21,7 @@ from ropsim.planning.joint_limits.limit_grid_kernel import (
     lower_bounds,
 )
 from ropsim.planning.trajectory.sections import Section, TimingRules
+from ropsim.planning.trajectory.timing_kernel import lay_horizons
 from ropsim.spatial import Array, record
 
 _SAME_PARAMETER = 1e-7
@@ -80,10 +81,9 @@ class LimitGrid:
             rules: time law and look-ahead.
         """
         rows, counts, result = np.empty((len(self.owners), 6)), np.empty(len(self.moves)), np.empty(1)
-        limits_of_cells(
-            self.borders, self.bounds, self.owners, self.moves, rules.look_ahead, rows, counts, result
-        )
-        rows = rows[: int(result[0])]
+        limits_of_cells(self.borders, self.bounds, self.owners, rows, counts, result)
+        rows, ahead = rows[: int(result[0])], rules.look_ahead
+        lay_horizons(self.moves, counts, ahead.moves, ahead.braking, rows)
         path_limits, law = PathLimits(rows[:, :4]), rules.law(rows, counts)
         return Section(self.part.path_segments, path_limits, counts.astype(np.intp), law, self.part.over)
 

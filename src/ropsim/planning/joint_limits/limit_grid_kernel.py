@@ -7,7 +7,6 @@ import numpy as np
 
 from ropsim.codegen import Array1, Array2, kernel
 from ropsim.planning.joint_limits.grid_reach_kernel import JOINT, KIND, QUANTITY, VALUE, reach_of
-from ropsim.planning.trajectory.timing_kernel import lay_horizons
 from ropsim.spatial import Array
 
 FIRST_STEP, SECOND_STEP, THIRD_STEP = 0.01, 0.04, 0.08
@@ -103,8 +102,6 @@ def limits_of_cells(
     borders: Array1,
     bounds: Array2,
     owners: Array1,
-    moves: Array1,
-    look_ahead: int,
     path_limits: Array2,
     counts: Array1,
     result: Array1,
@@ -115,9 +112,7 @@ def limits_of_cells(
         borders: path parameters between which the cells lie, shape (c + 1,).
         bounds: of speed, acceleration and jerk, shape (3, c).
         owners: number of the path segment that a cell lies on, rising, shape (c,).
-        moves: number of the move of each path segment, rising, shape (p,).
-        look_ahead: how many moves beyond the present one are known.
-        path_limits: where they go, see `plan_segments`, shape (c, 6).
+        path_limits: where they go, see `plan_segments`, without ratio and horizon, shape (c, 6).
         counts: where the number of path limits of each path segment goes, shape (p,).
         result: where the number of all goes, shape (1,).
     """
@@ -140,7 +135,6 @@ def limits_of_cells(
         counts[int(owners[cell])] += 1.0
         begin = borders[cell + 1]
         count += 1
-    lay_horizons(moves, counts, look_ahead, path_limits[:count])
     result[0] = count
 
 

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.model import LookAhead
 from ropsim.motion import PathLimits, TimeLaw, TimeLawPlanner, own_law_of
 from ropsim.planning.blends.blend import JointSpaceBlend
 from ropsim.planning.trajectory.segments import JoinedSegments, PathSegment
@@ -22,11 +23,11 @@ class TimingRules(NamedTuple):
 
     Attributes:
         law: plans their time laws.
-        look_ahead: how many moves beyond the present one are known.
+        look_ahead: how far beyond the present move the path is known.
     """
 
     law: TimeLawPlanner
-    look_ahead: int
+    look_ahead: LookAhead
 
 
 @record
@@ -115,7 +116,7 @@ def planned_section(
         np.array([path_segment.move_number for path_segment in path_segments], np.float64),
         counts.astype(np.float64),
     )
-    lay_horizons(moves, many, rules.look_ahead, bounds)
+    lay_horizons(moves, many, rules.look_ahead.moves, rules.look_ahead.braking, bounds)
     return Section(tuple(path_segments), path_limits, counts, rules.law(bounds, many), over)
 
 

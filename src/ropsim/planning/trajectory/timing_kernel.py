@@ -1,6 +1,6 @@
 """The timing of sections in loops that numba compiles: look-ahead, overlaps, control ticks."""
 
-from math import isnan
+from math import isnan, sqrt
 
 from ropsim.codegen import Array1, Array2, kernel
 from ropsim.motion import time_at
@@ -21,7 +21,7 @@ RATIO, HORIZON = 4, 5
 
 
 @kernel
-def lay_horizons(moves: Array1, counts: Array1, look_ahead: int, bounds: Array2) -> None:
+def lay_horizons(moves: Array1, counts: Array1, most: int, braking: float, bounds: Array2) -> None:
     """Write the last path limit that is known where a path limit ends, of all path limits; -1 if unknown.
 
     Within a path segment no more gets known: who can stop after it can stop before.
@@ -29,18 +29,37 @@ def lay_horizons(moves: Array1, counts: Array1, look_ahead: int, bounds: Array2)
     Args:
         moves: number of the move of each path segment, rising, shape (p,).
         counts: how many path limits each path segment has, one or more, shape (p,).
-        look_ahead: how many moves beyond the present one are known.
+        most: how many moves beyond the present one are known.
+        braking: how many braking distances beyond the present path segment are known, if that is further.
         bounds: of the path limits, see `plan_segments`; ratio and horizon are written, shape (s, 6).
     """
     for k in range(bounds.shape[0]):
         bounds[k, RATIO], bounds[k, HORIZON] = 1.0, -1.0
-    last, known, last_known = -1, 0, int(counts[0]) - 1
+    last, known, last_known, ahead = -1, 0, int(counts[0]) - 1, 0.0
     for path_segment in range(moves.shape[0]):
+        first = last + 1
         last += int(counts[path_segment])
-        while known + 1 < moves.shape[0] and moves[known + 1] <= moves[path_segment] + look_ahead:
+        if path_segment > 0:
+            for k in range(first, last + 1):
+                ahead -= bounds[k, 0]
+        distance = _braking_distance(bounds[first : last + 1])
+        while known + 1 < moves.shape[0] and (
+            moves[known + 1] <= moves[path_segment] + most or ahead < braking * distance
+        ):
             known += 1
+            for k in range(last_known + 1, last_known + 1 + int(counts[known])):
+                ahead += bounds[k, 0]
             last_known += int(counts[known])
         bounds[last, HORIZON] = last_known
+
+
+def _braking_distance(bounds: Array) -> float:
+    """Return the distance in which the greatest speed of path limits ends, by their greatest bounds."""
+    v, a, j = 0.0, 0.0, 0.0
+    for k in range(bounds.shape[0]):
+        v, a, j = max(v, bounds[k, 1]), max(a, bounds[k, 2]), max(j, bounds[k, 3])
+    time = v / a + a / j if v * j >= a * a else 2.0 * sqrt(v / j)
+    return 0.5 * v * time
 
 
 _SEGMENTS, _PATH_SEGMENTS, _LEAVE, _ENTER = range(4)

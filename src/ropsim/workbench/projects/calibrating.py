@@ -86,7 +86,7 @@ def changed_limits(before: MotionSettings, after: MotionSettings) -> Limits:
             if abs(value / float(before.tool[order, part]) - 1.0) > _CHANGED:
                 found[_TABLES[1 + part][order]] = value
     if after.look_ahead != before.look_ahead:
-        found["look_ahead"] = after.look_ahead
+        found["look_ahead"] = after.look_ahead.moves
     return found
 
 

@@ -140,6 +140,16 @@ def test_a_look_ahead_of_one_piece_lets_the_motion_stop_on_the_next() -> None:
     assert plan_time_law([stage] * 6).duration < law.duration
 
 
+@pytest.mark.parametrize("pieces", [1, 4, 40])
+def test_a_look_ahead_counts_by_its_length_not_by_its_pieces(pieces: int) -> None:
+    """The way of one piece, of which the motion stops on two thirds: v²/(2a) + v·a/(2j) = 3 from 2 1/s."""
+    stage = Interval(3.0 / pieces, 2.0, 1.0, 1.0)
+    many, ahead = 12 * pieces, pieces + (pieces + 1) // 2
+    law = plan_time_law([replace(stage, horizon=i + ahead) for i in range(many)])
+    whole = plan_time_law([Interval(36.0, 2.0, 1.0, 1.0)])
+    assert whole.duration * (1.0 - ROUNDING) <= law.duration <= 1.001 * whole.duration
+
+
 @pytest.mark.parametrize("ahead", [len(WAY) - 1, len(WAY), 1000])
 def test_a_look_ahead_over_the_whole_way_is_none(ahead: int) -> None:
     law = plan_time_law([replace(stage, horizon=i + ahead) for i, stage in enumerate(WAY)])

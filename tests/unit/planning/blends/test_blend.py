@@ -7,6 +7,7 @@ import pytest
 
 from ropsim.flow import ModalState, MoveInstruction, PoseSetpoints
 from ropsim.kinematics import forward_batch
+from ropsim.model import LookAhead
 from ropsim.motion import ToolPath
 from ropsim.planning.testing import (
     Blend,
@@ -153,7 +154,7 @@ def test_a_zone_below_a_micrometre_is_a_stop(kinds: str, zone: float) -> None:
 
 
 def test_a_controller_that_does_not_look_ahead_stops() -> None:
-    short = replace(CHAIN, controller=replace(CHAIN.controller, look_ahead=0))
+    short = replace(CHAIN, controller=replace(CHAIN.controller, look_ahead=LookAhead(0, 0.0)))
     move = lin(FIRST, ModalState(zone=0.01))
     assert blend_between(short, *legs(move, lin(SECOND))) is Stop.NO_LOOK_AHEAD
 

@@ -28,7 +28,11 @@ HERE = interface_pose(START)
 
 def line(way: tuple[float, float, float], speed: float | None = None) -> tuple[Section, ...]:
     """Return a line as the limits of the tool allow it."""
-    leg = planned_move_of(CHAIN, lin(shifted(HERE, *way), ModalState(path_speed=speed)), START)
+    leg = planned_move_of(
+        CHAIN,
+        lin(shifted(HERE, *way), ModalState(path_speed=speed, path_acceleration=2.0, path_jerk=20.0)),
+        START,
+    )
     assert isinstance(leg, PlannedMove)
     return sections_of(segments_of([leg], []), RULES)
 

@@ -120,7 +120,8 @@ def test_a_horizon_is_the_last_stage_of_the_last_move_that_is_known(seed: int, l
     legs = np.cumsum(rng.integers(0, 3, 9)).astype(np.float64)
     counts = rng.integers(1, 4, 9).astype(np.float64)
     bounds = np.full((int(counts.sum()), 6), np.nan)
-    lay_horizons(legs, counts, look_ahead, bounds)
+    bounds[:, :4] = 1.0
+    lay_horizons(legs, counts, look_ahead, 0.0, bounds)
     lasts = np.cumsum(counts) - 1.0
     wanted = np.full(len(bounds), -1.0)
     wanted[lasts.astype(int)] = [lasts[np.flatnonzero(legs <= leg + look_ahead)[-1]] for leg in legs]
@@ -137,7 +138,7 @@ def test_neighbours_on_one_piece_with_the_same_bounds_are_one_stage(seed: int) -
     owners = np.cumsum(np.append(0, rng.integers(0, 2, c - 1))).astype(np.float64)
     legs = np.arange(owners[-1] + 1.0)
     stages, counts, told = np.empty((c, 6)), np.empty(len(legs)), np.empty(1)
-    limits_of_cells(borders, bounds, owners, legs, 1, stages, counts, told)
+    limits_of_cells(borders, bounds, owners, stages, counts, told)
     keys = np.column_stack((owners, bounds.T))
     firsts = np.append(0, np.flatnonzero((np.diff(keys, axis=0) != 0.0).any(axis=1)) + 1)
     assert told[0] == len(firsts)
@@ -213,7 +214,8 @@ def test_ways_that_are_slower_are_told_with_the_band_that_loses_most(seed: int) 
     bounds = planned * np.where(lower, rng.uniform(0.3, 1.0, c), 1.0)
     causes = np.where(lower & (rng.integers(0, 4, c) > 0), rng.integers(0, 4, (2, c)), -1).astype(np.float64)
     legs, rows, many, told = np.zeros(3), np.empty((c, 6)), np.empty(3), np.empty(1)
-    limits_of_cells(borders, bounds, owners, legs, 0, rows, many, told)
+    limits_of_cells(borders, bounds, owners, rows, many, told)
+    lay_horizons(legs, many, 0, 0.0, rows[: int(told[0])])
     slow = jerk_limited(rows[: int(told[0])], many)
     ways, most = np.empty((4, c)), float(law.speeds.max())
     pieces = np.searchsorted(begins[1:-1], borders, "right")

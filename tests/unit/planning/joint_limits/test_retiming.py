@@ -19,7 +19,7 @@ from support.walks import WITHIN, shares
 
 CHAIN = chain_of(one_station("c", robots.load("scara"), robots.default_controller("scara")))
 HEAVY = Payload(38.5, np.array([-0.19, 0.11, 0.04]))
-QUICK = ModalState(path_speed=2.0, zone=0.02)
+QUICK = ModalState(path_speed=2.0, path_acceleration=2.0, path_jerk=20.0, zone=0.02)
 ARM = replace(PUMA, joints=tuple(replace(one, max_jerk=0.3 * one.max_jerk) for one in PUMA.joints))
 JERKLESS = replace(OF_PUMA, robot=ARM)
 CORNER = interface_pose(STARTED)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from ropsim.flow import ModalState, MoveInstruction
+from ropsim.model import LookAhead
 from ropsim.motion import plan_time_law
 from ropsim.planning.testing import (
     Blend,
@@ -38,9 +39,8 @@ def course(moves: list[MoveInstruction], look_ahead: int = 10) -> tuple[Timing, 
     for before, behind in pairwise(legs):
         found = blend_between(CHAIN, before, behind)
         corners.append(None if isinstance(found, Stop) else found)
-    return timing_of(
-        sections_of(segments_of(legs, corners), RULES._replace(look_ahead=look_ahead)), len(legs)
-    ), corners
+    rules = RULES._replace(look_ahead=LookAhead(look_ahead, 0.0))
+    return timing_of(sections_of(segments_of(legs, corners), rules), len(legs)), corners
 
 
 def test_lines_with_zones_are_walked_in_one_run() -> None:
