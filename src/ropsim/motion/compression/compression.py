@@ -1,0 +1,244 @@
+"""Compression: which moves of a chain become curves, which stay lines, and which points keep their blend."""
+
+from enum import Enum
+
+import numpy as np
+
+from ropsim.motion.compression.chain import Chain, chain_of, refused
+from ropsim.motion.compression.fitted_curve import FittedCurve, curve_of
+from ropsim.motion.compression.run import Run, joins_line, polyline_of, run_of
+from ropsim.motion.compression.spline_fit import SplineFit, spline_fit
+from ropsim.motion.compression.tolerances import Flags, Numbers, Sharp, sharp_points, tolerances
+from ropsim.motion.paths.curve import Curve
+from ropsim.spatial import Array, record
+
+_ATTEMPTS = 16
+"""Times that runs are fitted anew with wider tolerances or fewer moves, before all their points break."""
+_NEAR = 2
+"""Points around a move without a curve whose tolerances are widened."""
+_Pair = tuple[int, int]
+
+
+class BreakCause(Enum):
+    """Why a point keeps its own blend."""
+
+    TURN = "the path turns sharply there"
+    ODD = "the path turns far more there than next to it"
+    TOLERANCE = "there is no curve within the tolerance"
+
+
+@record
+class StraightPart:
+    """A move that stays a straight line.
+
+    Attributes:
+        number: of the move, 0 for that from point 0 to point 1.
+        begin: length at its beginning that belongs to the curve before it [m]; 0 where it keeps its own blend
+            or stop.
+        end: length at its end that belongs to the curve behind it [m].
+    """
+
+    number: int
+    begin: float
+    end: float
+
+
+@record
+class CurvePart:
+    """Moves first .. last - 1, from point `first` to point `last`, as one curve.
+
+    Attributes:
+        first: number of the first point.
+        last: number of the last point.
+        curve: of position and orientation, in the frame of the points. Where the line before or behind stays
+            straight and their common point does not keep its blend, it begins or ends on this line, in its
+            direction, without curvature; else exactly at the point.
+        parameters: path parameters of the curve (arc length [m]) at the points first .. last, rising, shape
+            (last - first + 1,); the first is above 0 where the curve begins on the line before, and the last
+            one below the length of the curve where it ends on the line behind.
+        deviation: greatest distance of the curve from the polyline [m].
+        turn: greatest angle between the orientations on the curve and on the polyline at the same share of a
+            move [rad].
+    """
+
+    first: int
+    last: int
+    curve: Curve
+    parameters: Array
+    deviation: float
+    turn: float
+
+
+@record
+class Compression:
+    """A chain of straight moves as lines and curves.
+
+    Attributes:
+        parts: in order. Where the common point of two parts is not on a curve, it keeps its own blend.
+        breaks: points that keep their own blend and why, in order. The point between two straight moves is
+            one of them where a turn or the tolerance is the cause, not where both are longer than `longest`.
+    """
+
+    parts: tuple[StraightPart | CurvePart, ...]
+    breaks: tuple[tuple[int, BreakCause], ...]
+
+
+def compressed(points: Array, rotations: Array, zones: Array, longest: float) -> Compression:
+    """Return straight moves with zones as curves of least jerk within tolerances, and lines between them.
+
+    Position and unit quaternion are splines of degree five over the length of the polyline. They have the
+    least integral of the squared third derivative within bounds of the deviation at every point and in the
+    middle of every move, and as few breakpoints as these allow. A bound is the deviation that the blend of
+    the point would leave with its zone taken over several moves (`tolerances`); where that leaves no curve,
+    the distance of the point from the straight path through the zone. Orientation keeps within 0.1° per mm of
+    the zone. All curves are checked at ten steps of each move with bounds between them; where one exceeds a
+    tolerance it is fitted closer, and at last the point keeps its own blend.
+
+    Args:
+        points: ends of the moves, at least `SHORTEST_MOVE` apart [m], shape (k + 1, 3).
+        rotations: orientations of the tool there, shape (k + 1, 3, 3).
+        zones: of the points between moves, as programmed, all above 0 [m], shape (k - 1,).
+        longest: moves that are longer stay lines [m], above 0; about the braking distance.
+
+    Raises:
+        ProfileError: M540, where an argument is not as stated, or a number is not finite.
+
+    References:
+        Eilers and Marx 1996, Flexible smoothing with B-splines and penalties, Statistical Science 11(2),
+        89-121, for least squares with a penalty; Lawson 1961, Contributions to the theory of linear least
+        maximum approximation, for weights that grow where a bound is exceeded.
+    """
+    arrays = (np.array(one, dtype=np.float64) for one in (points, rotations, zones))
+    chain = chain_of(*arrays)
+    if not longest > 0.0:
+        raise refused(f"the longest move is {longest:g} m", "lengths above 0")
+    return _compression(chain, longest)
+
+
+def _compression(chain: Chain, longest: float) -> Compression:
+    last = len(chain.lengths)
+    sharp = sharp_points(chain)
+    is_sharp = sharp != Sharp.NOT
+    allowed = tolerances(chain, is_sharp, np.zeros(last + 1, np.bool_), longest)
+    straight, broken = allowed.straight, np.zeros(last + 1, np.bool_)
+    broken[1:-1] = is_sharp
+    curves: list[tuple[SplineFit, FittedCurve]] = []
+    waiting, attempt = _spans(straight, broken, 0, last), 0
+    while waiting:
+        failed: list[tuple[Run, Array]] = []
+        for first, behind in waiting:
+            run = run_of(chain, straight, broken, first, behind)
+            tried = spline_fit(polyline_of(chain, allowed, run))
+            made = curve_of(tried, chain.rotations[first])
+            ratios = _ratios(tried, made)
+            if made is not None and ratios.max() <= 1.0:
+                curves.append((tried, made))
+            else:
+                failed.append((run, ratios))
+        wide = allowed.wide.copy()
+        for run, ratios in failed:
+            _widen_or_break(chain, run, ratios, attempt, wide, broken)
+        allowed = tolerances(chain, is_sharp, wide, longest)
+        waiting = [one for run, _ in failed for one in _spans(straight, broken, run.first, run.last)]
+        attempt += 1
+    curves.sort(key=lambda one: one[0].line.run.first)
+    parts = _parts(last, curves)
+    return Compression(parts, _breaks(chain, longest, sharp, broken, parts))
+
+
+def _spans(straight: Flags, broken: Flags, first: int, last: int) -> list[_Pair]:
+    """Return the first and last points of the runs from one point to another.
+
+    A single move between two points that keep their own blend is none, nor is a straight one.
+    """
+    found, begin = [], first
+    for point in range(first + 1, last + 1):
+        if straight[point - 1]:
+            begin = point
+        elif point == last or broken[point] or straight[point]:
+            before = joins_line(straight, broken, begin, begin - 1)
+            if point - begin > 1 or before or joins_line(straight, broken, point, point):
+                found.append((begin, point))
+            begin = point
+    return found
+
+
+def _ratios(tried: SplineFit, made: FittedCurve | None) -> Array:
+    """Return the deviations of a curve by their tolerances, for each move of its run."""
+    if made is not None:
+        return np.asarray(np.maximum(tried.ratios, made.turns / tried.line.orientation))
+    ratios = tried.ratios.copy()
+    ratios[np.argmax(ratios)] = np.inf
+    return ratios
+
+
+def _widen_or_break(chain: Chain, run: Run, ratios: Array, attempt: int, wide: Flags, broken: Flags) -> None:
+    """Widen the tolerances around moves without a curve, or let the worst point there keep its blend."""
+    inner = np.arange(run.first + 1, run.last)
+    if attempt >= _ATTEMPTS:
+        broken[run.first : run.last + 1] = True
+        broken[[0, -1]] = False
+        return
+    offset = run.first - (1 if run.before else 0)
+    edges = np.flatnonzero(np.diff(np.concatenate(([0], (ratios > 1.0).astype(np.int64), [0]))))
+    for begin, behind in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        around = slice(max(offset + begin - _NEAR, run.first), min(offset + behind + _NEAR, run.last) + 1)
+        if not wide[around].all():
+            wide[around] = True
+            continue
+        worst = offset + begin + int(np.argmax(ratios[begin:behind]))
+        ends = [point for point in (worst, worst + 1) if run.first < point < run.last]
+        if not ends:
+            ends = [run.first] if run.before else []
+            ends += [run.last] if run.behind else []
+        broken[max(ends, key=lambda point: _bend(chain, point)) if ends else inner] = True
+
+
+def _bend(chain: Chain, point: int) -> float:
+    """Return by which angle direction or orientation change at a point between moves [rad]."""
+    before, behind = chain.lengths[point - 1], chain.lengths[point]
+    one, two = np.diff(chain.quaternions[point - 1 : point + 2], axis=0)
+    change = np.linalg.norm(two / behind - one / before) * (before + behind)
+    return float(max(chain.turns[point - 1], change))
+
+
+def _parts(moves: int, curves: list[tuple[SplineFit, FittedCurve]]) -> tuple[StraightPart | CurvePart, ...]:
+    """Return curves in order and the straight moves between them."""
+    begins, ends = np.zeros(moves), np.zeros(moves)
+    for tried, _ in curves:
+        run = tried.line.run
+        if run.before:
+            ends[run.first - 1] = run.before
+        if run.behind:
+            begins[run.last] = run.behind
+    parts: list[StraightPart | CurvePart] = []
+    move = 0
+    for tried, made in curves:
+        run = tried.line.run
+        parts += [StraightPart(k, float(begins[k]), float(ends[k])) for k in range(move, run.first)]
+        turn = float(made.turns.max())
+        parts.append(CurvePart(run.first, run.last, made.curve, made.parameters, tried.deviation, turn))
+        move = run.last
+    parts += [StraightPart(k, float(begins[k]), float(ends[k])) for k in range(move, moves)]
+    return tuple(parts)
+
+
+def _breaks(
+    chain: Chain, longest: float, sharp: Numbers, broken: Flags, parts: tuple[StraightPart | CurvePart, ...]
+) -> tuple[tuple[int, BreakCause], ...]:
+    """Return the points that keep their own blend for the sake of a turn or the tolerance."""
+    alone = np.zeros(len(chain.lengths), np.bool_)
+    alone[[part.number for part in parts if isinstance(part, StraightPart)]] = True
+    short = chain.lengths <= longest
+    found = []
+    for point in range(1, len(chain.lengths)):
+        cause = _CAUSES[Sharp(int(sharp[point - 1]))]
+        between_lines = alone[point - 1] and alone[point] and (short[point - 1] or short[point])
+        if cause is not None:
+            found.append((point, cause))
+        elif broken[point] or between_lines:
+            found.append((point, BreakCause.TOLERANCE))
+    return tuple(found)
+
+
+_CAUSES = {Sharp.NOT: None, Sharp.TURN: BreakCause.TURN, Sharp.ODD: BreakCause.ODD}
