@@ -199,8 +199,9 @@ def _cut(checked: Checked, before: _Near, after: _Near) -> float:
     one = (1.0 - before[1]) * (ends[before[0] + 1] - ends[before[0]])
     two = after[1] * (ends[after[0] + 1] - ends[after[0]])
     between = ends[after[0]] - ends[before[0] + 1]
-    height = 0.5 * (one + between + two) * sin(0.5 * min(turn, pi))
-    return height if between > 0.0 else min(height, min(one, two) * sin(min(turn, 0.5 * pi)))
+    height: float = 0.5 * (one + between + two) * sin(0.5 * min(turn, pi))
+    side: float = min(one, two) * sin(min(turn, 0.5 * pi))
+    return height if between > 0.0 else min(height, side)
 
 
 def _greatest_turn(checked: Checked, move: int, step: float, work: Array) -> float:
