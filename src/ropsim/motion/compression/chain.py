@@ -59,8 +59,7 @@ def chain_of(points: Array, rotations: Array, zones: Array) -> Chain:
         raise refused(f"shapes {shapes}", "(k + 1, 3), (k + 1, 3, 3) and (k - 1,) with k of 1 or more")
     if not (np.abs(points) <= FARTHEST).all():  # NaN is not either
         raise refused("a coordinate is no number", f"those from {-FARTHEST:g} to {FARTHEST:g} m")
-    errors = np.abs(rotations @ np.swapaxes(rotations, 1, 2) - np.eye(3)).max(axis=(1, 2))
-    if not ((errors <= _ORTHOGONAL) & (np.linalg.det(rotations) > 0.0)).all():
+    if not ((np.abs(rotations) <= 1.0 + _ORTHOGONAL).all() and _are_rotations(rotations)):
         raise refused("a matrix is no rotation", "orthonormal ones with the determinant 1")
     if not ((zones > 0.0) & (zones <= FARTHEST)).all():
         raise refused(f"a zone is {_first(zones, zones > 0.0):g} m", f"those above 0, up to {FARTHEST:g} m")
@@ -76,6 +75,12 @@ def chain_of(points: Array, rotations: Array, zones: Array) -> Chain:
     quaternions = _continuous(quaternions_from_matrices(rotations))
     turns = np.arctan2(sines, cosines)
     return Chain(points, rotations, quaternions, zones, lengths, directions, turns, ends)
+
+
+def _are_rotations(matrices: Array) -> bool:
+    """Return whether finite matrices (m, 3, 3) are rotations."""
+    errors = np.abs(matrices @ np.swapaxes(matrices, 1, 2) - np.eye(3)).max(axis=(1, 2))
+    return bool((errors <= _ORTHOGONAL).all() and (np.linalg.det(matrices) > 0.0).all())
 
 
 def _continuous(quaternions: Array) -> Array:

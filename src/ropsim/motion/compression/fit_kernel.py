@@ -38,6 +38,8 @@ FARTHEST_SAMPLE = 12.0
 """Spans longer than so many samples count as of this length in the first weights."""
 SPLIT = 0.6
 """Least length of a span within a move, by that of the move, that is halved."""
+AT_BREAK = 1e-9
+"""Of a span: what lies nearer to a breakpoint lies at it."""
 POSITION, TURN = 0, 3
 """First columns of the values of position and orientation."""
 
@@ -154,12 +156,20 @@ def _prepare(samples: Samples, work: FitWork, fit: Fit) -> None:
     basis_rows(breaks, spans, parameters, work.basis, work.spans)
     third_derivative_rows(breaks, spans, samples.rule, work.small, work.thirds)
     for i in range(parameters.shape[0]):
-        span = int(work.spans[i])
-        wave = min(breaks[span + 1] - breaks[span], FARTHEST_SAMPLE * spacing[i])
+        span, before = int(work.spans[i]), _span_before(samples, work, fit, i)
+        length = min(breaks[span + 1] - breaks[span], breaks[before + 1] - breaks[before])
+        wave = min(length, FARTHEST_SAMPLE * spacing[i])
         square = FIRST_WAVE * FIRST_WAVE / (wave * wave)
         weight = square * square * square * spacing[i]
         work.weights[0, i] = work.weights[1, i] = work.weights[2, i] = weight
     _forget(fit)
+
+
+def _span_before(samples: Samples, work: FitWork, fit: Fit, i: int) -> int:
+    """Return the span in front of a sample: for one at a breakpoint that before, else its own."""
+    span = int(work.spans[i])
+    small = AT_BREAK * (fit.breaks[span + 1] - fit.breaks[span])
+    return span - 1 if span > 0 and samples.parameters[i] <= fit.breaks[span] + small else span
 
 
 def _improve(samples: Samples, work: FitWork, fit: Fit, fits: int) -> None:
@@ -275,16 +285,17 @@ def _halve_spans(samples: Samples, work: FitWork, fit: Fit) -> bool:
     for span in range(spans):
         worst[span, 0] = 0.0
     for i in range(samples.parameters.shape[0]):
-        span = int(work.spans[i])
+        span, before = int(work.spans[i]), _span_before(samples, work, fit, i)
         ratio = max(work.ratios[1, i], work.ratios[2, i]) if samples.turns else work.ratios[1, i]
         worst[span, 0] = max(worst[span, 0], ratio)
+        worst[before, 0] = max(worst[before, 0], ratio)
     count, low = 0, 0
     for span in range(spans):
         others[count] = breaks[span]
         count += 1
         if worst[span, 0] <= 1.0:
             continue
-        small = 1e-9 * (breaks[span + 1] - breaks[span])
+        small = AT_BREAK * (breaks[span + 1] - breaks[span])
         low = span_at(ends, ends.shape[0] - 1, breaks[span] + small, low)
         high = span_at(ends, ends.shape[0] - 1, breaks[span + 1] - small, low)
         if high > low:  # points low + 1 to high lie within
