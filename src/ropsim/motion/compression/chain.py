@@ -4,9 +4,10 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.motion.curves.path import FARTHEST
+from ropsim.motion.curves.rotation_vector import logarithms
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.time_law.profile import ProfileError
-from ropsim.spatial import Array, quaternions_from_matrices, record
+from ropsim.spatial import Array, cross, quaternions_from_matrices, record
 
 SHORTEST_MOVE = 1e-6
 """Least length of a move [m]."""
@@ -28,6 +29,7 @@ class Chain:
         lengths: of the moves, shape (k,).
         directions: of the moves, shape (k, 3).
         turns: angles between the moves at the points between them, shape (k - 1,).
+        turn_changes: changes of the turn of the tool by the length at these points [rad/m], shape (k - 1,).
         ends: lengths along the polyline up to the points, shape (k + 1,).
     """
 
@@ -38,6 +40,7 @@ class Chain:
     lengths: Array
     directions: Array
     turns: Array
+    turn_changes: Array
     ends: Array
 
     @property
@@ -69,12 +72,20 @@ def chain_of(points: Array, rotations: Array, zones: Array) -> Chain:
     if not long_enough.all():
         raise refused(f"a move is {_first(lengths, long_enough):g} m long", f"{SHORTEST_MOVE:g} m or more")
     directions = steps / lengths[:, None]
-    sines = _norm(np.cross(directions[:-1], directions[1:]))
+    sines = _norm(cross(directions[:-1], directions[1:]))
     cosines = np.einsum("ij,ij->i", directions[:-1], directions[1:])
-    ends = np.concatenate(([0.0], np.cumsum(lengths)))
-    quaternions = _continuous(quaternions_from_matrices(rotations))
-    turns = np.arctan2(sines, cosines)
-    return Chain(points, rotations, quaternions, zones, lengths, directions, turns, ends)
+    turned = logarithms(np.swapaxes(rotations[:-1], 1, 2) @ rotations[1:]) / lengths[:, None]
+    return Chain(
+        points,
+        rotations,
+        _continuous(quaternions_from_matrices(rotations)),
+        zones,
+        lengths,
+        directions,
+        np.arctan2(sines, cosines),
+        _norm(np.diff(turned, axis=0)),  # both vectors are in the tool frame at the point between
+        np.concatenate(([0.0], np.cumsum(lengths))),
+    )
 
 
 def _are_rotations(matrices: Array) -> bool:

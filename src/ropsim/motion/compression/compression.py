@@ -164,11 +164,12 @@ def _spans(straight: Flags, broken: Flags, first: int, last: int) -> list[_Pair]
 
 
 def _ratios(tried: SplineFit, made: FittedCurve | None) -> Array:
-    """Return the deviations of a curve by their tolerances, for each move of its run."""
-    if made is not None:
-        return np.asarray(np.maximum(tried.ratios, made.turns / tried.line.orientation))
+    """Return the deviations in position and orientation by their tolerances, for each move of its run."""
     ratios = tried.ratios.copy()
-    ratios[np.argmax(ratios)] = np.inf
+    if made is None:
+        ratios[np.argmax(ratios[:, 0]), 0] = np.inf
+    else:
+        ratios[:, 1] = np.maximum(ratios[:, 1], made.turns / tried.line.orientation)
     return ratios
 
 
@@ -180,13 +181,14 @@ def _widen_or_break(chain: Chain, run: Run, ratios: Array, attempt: int, wide: F
         broken[[0, -1]] = False
         return
     offset = run.first - (1 if run.before else 0)
-    edges = np.flatnonzero(np.diff(np.concatenate(([0], (ratios > 1.0).astype(np.int64), [0]))))
+    worst_of_moves = ratios.max(axis=1)
+    edges = np.flatnonzero(np.diff(np.concatenate(([0], (worst_of_moves > 1.0).astype(np.int64), [0]))))
     for begin, behind in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
         around = slice(max(offset + begin - _NEAR, run.first), min(offset + behind + _NEAR, run.last) + 1)
-        if not wide[around].all():
+        if (ratios[begin:behind, 0] > 1.0).any() and not wide[around].all():
             wide[around] = True
             continue
-        worst = offset + begin + int(np.argmax(ratios[begin:behind]))
+        worst = offset + begin + int(np.argmax(worst_of_moves[begin:behind]))
         ends = [point for point in (worst, worst + 1) if run.first < point < run.last]
         if not ends:
             ends = [run.first] if run.before else []
@@ -196,10 +198,8 @@ def _widen_or_break(chain: Chain, run: Run, ratios: Array, attempt: int, wide: F
 
 def _bend(chain: Chain, point: int) -> float:
     """Return by which angle direction or orientation change at a point between moves [rad]."""
-    before, behind = chain.lengths[point - 1], chain.lengths[point]
-    one, two = np.diff(chain.quaternions[point - 1 : point + 2], axis=0)
-    change = np.linalg.norm(two / behind - one / before) * (before + behind)
-    return float(max(chain.turns[point - 1], change))
+    length = 0.5 * (chain.lengths[point - 1] + chain.lengths[point])
+    return float(max(chain.turns[point - 1], chain.turn_changes[point - 1] * length))
 
 
 def _parts(moves: int, curves: list[tuple[SplineFit, FittedCurve]]) -> tuple[StraightPart | CurvePart, ...]:

@@ -31,7 +31,7 @@ class SplineFit:
         breaks: breakpoints, shape (spans + 1,).
         polynomials: of the spans over their shares: position, quaternion; shape (spans, 6, 7).
         deviation: greatest distance from the polyline [m].
-        ratios: greatest deviation in position or orientation by its tolerance for each move, shape (n,).
+        ratios: greatest deviations in position and orientation by their tolerances for each move, (n, 2).
     """
 
     line: Polyline
@@ -63,7 +63,7 @@ def spline_fit(line: Polyline) -> SplineFit:
         found = _deviations(checked)
         ratios = _ratios(found, tolerances, line.orientation)
     deviation = float(found[:-1, 0].max() * line.unit)
-    return SplineFit(line, checked.breaks, checked.polynomials, deviation, ratios.max(axis=1))
+    return SplineFit(line, checked.breaks, checked.polynomials, deviation, ratios)
 
 
 def _samples(line: Polyline, points: Array, directions: Array, tolerances: Array) -> Samples:

@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from ropsim.motion.blends.blend_curve import SWING
 from ropsim.motion.compression.chain import Chain
-from ropsim.spatial import Array, record
+from ropsim.spatial import Array, cross, record
 
 Flags = npt.NDArray[np.bool_]
 Numbers = npt.NDArray[np.int64]
@@ -69,7 +69,8 @@ def tolerances(chain: Chain, sharp: Flags, wide: Flags, longest: float) -> Toler
     That of a point is the deviation of its own blend, with the zone taken over several moves: as programmed,
     up to the next sharp point. The largest one of two neighbours on each side counts, and half of that of
     the third. Where a move bows by more than that, and where it is requested, the distance of the point from
-    the straight path through the zone takes its place.
+    the straight path through the zone takes its place. A move whose curve would still bow by more, or whose
+    orientation would, stays straight.
 
     Args:
         chain: of straight moves.
@@ -82,15 +83,17 @@ def tolerances(chain: Chain, sharp: Flags, wide: Flags, longest: float) -> Toler
     zones, turns = _over_moves(chain, sharp)
     of_blend = np.where(sharp, 0.0, _blend_deviation(zones, turns))
     of_zone = np.where(sharp, 0.0, zones * np.sin(0.5 * turns))
-    bow = _bows(chain, sharp)
+    bow = _bows(chain, np.where(sharp, 0.0, chain.turns))
     narrow = _window(of_blend, zones)
     wide = wide.copy()
     too_far = bow > np.maximum(narrow[:-1], narrow[1:])
     wide[:-1] |= too_far
     wide[1:] |= too_far
     position = _window(np.where(wide[1:-1], of_zone, of_blend), zones)
-    straight = (chain.lengths > longest) | (bow > np.maximum(position[:-1], position[1:]))
     orientation = np.maximum(TURN_BY_ZONE * _with_ends(chain.cut_zones), LEAST_TURN)
+    straight = (chain.lengths > longest) | (bow > np.maximum(position[:-1], position[1:]))
+    turn_bow = _bows(chain, np.where(sharp, 0.0, chain.turn_changes))
+    straight |= turn_bow > np.maximum(orientation[:-1], orientation[1:])
     return Tolerances(position, orientation, straight, wide)
 
 
@@ -105,7 +108,7 @@ def _over_moves(chain: Chain, sharp: Flags) -> tuple[Array, Array]:
     first = np.clip(np.searchsorted(chain.ends, at - zones, side="right") - 1, 0, last)
     behind = np.clip(np.searchsorted(chain.ends, at + zones, side="left") - 1, 0, last)
     one, two = chain.directions[first], chain.directions[behind]
-    sines = np.linalg.norm(np.cross(one, two), axis=1)
+    sines = np.linalg.norm(cross(one, two), axis=1)
     over = np.arctan2(sines, np.einsum("ij,ij->i", one, two))
     return zones, np.maximum(chain.turns, np.where(sharp, 0.0, np.minimum(over, _WIDEST_TURN)))
 
@@ -116,10 +119,16 @@ def _blend_deviation(zones: Array, turns: Array) -> Array:
     return np.asarray(2.0 * zones * np.sin(0.5 * turns) * (0.5 - 5.0 / 32.0 * scale))
 
 
-def _bows(chain: Chain, sharp: Flags) -> Array:
-    """Return how far the curve that the turns at both ends of the moves suggest is from them [m], (k,)."""
-    turns = np.concatenate(([0.0], np.where(sharp, 0.0, chain.turns), [0.0]))
-    return np.asarray(chain.lengths * (turns[:-1] + turns[1:]) / _BOW)
+def _bows(chain: Chain, changes: Array) -> Array:
+    """Return how far the curve that the changes at both ends of the moves suggest is from them, (k,).
+
+    Args:
+        chain: of straight moves.
+        changes: of the direction [rad] or of the turn of the tool by the length [rad/m], shape (k - 1,); the
+            result is in m or rad.
+    """
+    padded = np.concatenate(([0.0], changes, [0.0]))
+    return np.asarray(chain.lengths * (padded[:-1] + padded[1:]) / _BOW)
 
 
 def _window(values: Array, zones: Array) -> Array:
