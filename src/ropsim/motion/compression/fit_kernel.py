@@ -26,8 +26,8 @@ from ropsim.motion.compression.spline_kernel import (
 )
 from ropsim.spatial import Array
 
-ROUNDS, FITS, LAST_FITS, MOST_FITS = 8, 6, 8, 30
-"""Rounds in which breakpoints are added, fits in each of them, then to grow smoother, and if no fit holds."""
+ROUNDS, FITS, MOST_FITS, SMOOTHER_FITS = 7, 6, 30, 14
+"""Rounds in which breakpoints are added, fits in each of them and at last, and fits to become smoother."""
 LEAST_CHANGE, MOST_CHANGE = 0.4, 3.0
 """Bounds of a deviation by its bound, where it changes a weight."""
 LEAST_WEIGHT, MOST_WEIGHT = 1e-4, 1e7
@@ -117,28 +117,45 @@ class Fit(NamedTuple):
 
 @kernel
 def fit_spline(samples: Samples, work: FitWork, fit: Fit) -> None:
-    """Write the smoothest spline that keeps the bounds at the samples, or the one that exceeds them least.
+    """Write a spline that keeps the bounds at the samples, or the one that exceeds them least.
+
+    It is the first one that keeps them, so that wide bounds do not change the shape of a smooth polyline.
 
     Args:
         samples: of the polyline, and the bounds.
         work: buffers.
         fit: has the first breakpoints and their number, becomes the spline.
     """
-    for number in range(ROUNDS):
-        _prepare(samples, work, fit)
-        _improve(samples, work, fit, FITS)
-        if _holds(samples, fit) or number == ROUNDS - 1 or not _halve_spans(samples, work, fit):
-            break
-    _improve(samples, work, fit, LAST_FITS if _holds(samples, fit) else MOST_FITS)
+    _prepare(samples, work, fit)
+    _fit_until_it_holds(samples, work, fit, FITS)
+    _add_breaks(samples, work, fit)
 
 
 @kernel
 def fit_closer(samples: Samples, work: FitWork, fit: Fit) -> None:
     """Fit the spline to bounds that have been lowered, from the weights and breakpoints that it has on."""
     _forget(fit)
-    _improve(samples, work, fit, FITS)
-    if not _holds(samples, fit) and _halve_spans(samples, work, fit):
-        fit_spline(samples, work, fit)
+    _fit_until_it_holds(samples, work, fit, FITS)
+    _add_breaks(samples, work, fit)
+
+
+@kernel
+def fit_smoother(samples: Samples, work: FitWork, fit: Fit) -> None:
+    """Write the smoothest one of several splines that keep the bounds, or keep the one that there is."""
+    for _ in range(SMOOTHER_FITS):
+        _fit_once(samples, work, fit, 0)
+        if samples.turns:
+            _fit_once(samples, work, fit, 1)
+
+
+def _add_breaks(samples: Samples, work: FitWork, fit: Fit) -> None:
+    """Halve spans in which bounds are exceeded until a fit keeps them all."""
+    for _ in range(ROUNDS):
+        if _holds(samples, fit) or not _halve_spans(samples, work, fit):
+            break
+        _prepare(samples, work, fit)
+        _fit_until_it_holds(samples, work, fit, FITS)
+    _fit_until_it_holds(samples, work, fit, MOST_FITS)
 
 
 def _holds(samples: Samples, fit: Fit) -> bool:
@@ -172,11 +189,12 @@ def _span_before(samples: Samples, work: FitWork, fit: Fit, i: int) -> int:
     return span - 1 if span > 0 and samples.parameters[i] <= fit.breaks[span] + small else span
 
 
-def _improve(samples: Samples, work: FitWork, fit: Fit, fits: int) -> None:
-    """Fit position and orientation so many times and keep the best of each."""
+def _fit_until_it_holds(samples: Samples, work: FitWork, fit: Fit, fits: int) -> None:
+    """Fit position and orientation each until it keeps its bounds, at most this number of times."""
     for _ in range(fits):
-        _fit_once(samples, work, fit, 0)
-        if samples.turns:
+        if fit.state[1] > 0.0:
+            _fit_once(samples, work, fit, 0)
+        if samples.turns and fit.state[3] > 0.0:
             _fit_once(samples, work, fit, 1)
 
 

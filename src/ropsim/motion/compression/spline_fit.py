@@ -6,7 +6,7 @@ from functools import cache
 import numpy as np
 
 from ropsim.motion.compression.deviation_kernel import SAMPLE, STEPS, Checked, deviations
-from ropsim.motion.compression.fit_kernel import Fit, FitWork, Samples, fit_closer, fit_spline
+from ropsim.motion.compression.fit_kernel import Fit, FitWork, Samples, fit_closer, fit_smoother, fit_spline
 from ropsim.motion.compression.quaternion_rows import between, rate_between
 from ropsim.motion.compression.run import Polyline
 from ropsim.motion.compression.spline_kernel import NODES, span_polynomials
@@ -49,21 +49,21 @@ def spline_fit(line: Polyline) -> SplineFit:
     samples = _samples(line, points, directions, tolerances)
     fit, work = _first_spline(line.ends), _work(samples)
     angles = _angles(directions)
+    first = int(fit.state[0]) + 1
     fit_spline(samples, work, fit)
+    found = _checked_fit(line, points, angles, tolerances, fit)
     for _ in range(_TIMES):
-        checked = _checked(line, points, angles, tolerances, fit)
-        found = _deviations(checked)
-        ratios = _ratios(found, tolerances, line.orientation)
-        if ratios.max() <= 1.0:
+        if found.ratios.max() <= 1.0:
             break
-        _lower(samples.bounds, ratios)
+        _lower(samples.bounds, found.ratios)
         fit_closer(samples, work, fit)
-    else:
-        checked = _checked(line, points, angles, tolerances, fit)
-        found = _deviations(checked)
-        ratios = _ratios(found, tolerances, line.orientation)
-    deviation = float(found[:-1, 0].max() * line.unit)
-    return SplineFit(line, checked.breaks, checked.polynomials, deviation, ratios)
+        found = _checked_fit(line, points, angles, tolerances, fit)
+    if found.ratios.max() <= 1.0 and len(found.breaks) > first:
+        fit_smoother(samples, work, fit)
+        smoother = _checked_fit(line, points, angles, tolerances, fit)
+        if smoother.ratios.max() <= 1.0:
+            return smoother
+    return found
 
 
 def _samples(line: Polyline, points: Array, directions: Array, tolerances: Array) -> Samples:
@@ -149,19 +149,16 @@ def _angles(directions: Array) -> Array:
     return np.concatenate(([0.0], turns, [0.0]))
 
 
-def _checked(line: Polyline, points: Array, angles: Array, tolerances: Array, fit: Fit) -> Checked:
-    """Return the polynomials of a spline with its polyline."""
-    spans = int(fit.state[0])
+def _checked_fit(line: Polyline, points: Array, angles: Array, tolerances: Array, fit: Fit) -> SplineFit:
+    """Return a spline with its deviations from the polyline."""
+    spans, turns = int(fit.state[0]), int(line.turns)
     polynomials, breaks = np.empty((spans, 6, 7)), fit.breaks[: spans + 1].copy()
     span_polynomials(breaks, spans, fit.coefficients, np.empty((7, 7)), polynomials)
-    return Checked(breaks, polynomials, line.ends, points, angles, tolerances, int(line.turns))
-
-
-def _deviations(checked: Checked) -> Array:
-    """Return the deviations of every move and point as `deviations` writes them, shape (n + 1, 3)."""
-    found = np.empty((len(checked.ends), 3))
-    deviations(checked, len(checked.polynomials), np.empty((STEPS + 2, SAMPLE)), found)
-    return found
+    checked = Checked(breaks, polynomials, line.ends, points, angles, tolerances, turns)
+    found = np.empty((len(line.ends), 3))
+    deviations(checked, spans, np.empty((STEPS + 2, SAMPLE)), found)
+    ratios = _ratios(found, tolerances, line.orientation)
+    return SplineFit(line, breaks, polynomials, float(found[:-1, 0].max() * line.unit), ratios)
 
 
 def _ratios(found: Array, tolerances: Array, angles: Array) -> Array:
