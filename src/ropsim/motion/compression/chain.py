@@ -61,7 +61,9 @@ def chain_of(points: Array, rotations: Array, zones: Array) -> Chain:
     if count < 2 or shapes != ((count, 3), (count, 3, 3), (count - 2,)):
         raise refused(f"shapes {shapes}", "(k + 1, 3), (k + 1, 3, 3) and (k - 1,) with k of 1 or more")
     if not (np.abs(points) <= FARTHEST).all():  # NaN is not either
-        raise refused("a coordinate is no number", f"those from {-FARTHEST:g} to {FARTHEST:g} m")
+        raise refused(
+            "a coordinate is not finite or too large", f"those from {-FARTHEST:g} to {FARTHEST:g} m"
+        )
     if not ((np.abs(rotations) <= 1.0 + _ORTHOGONAL).all() and _are_rotations(rotations)):
         raise refused("a matrix is no rotation", "orthonormal ones with the determinant 1")
     if not ((zones > 0.0) & (zones <= FARTHEST)).all():
@@ -101,7 +103,7 @@ def _continuous(quaternions: Array) -> Array:
 
 
 def refused(found: str, allowed: str) -> ProfileError:
-    """Return the error of a value, with what is allowed."""
+    """Return the error of a value, with the allowed values."""
     return ProfileError(WRONG_PROFILE_REQUEST.at(None, f"{found}, allowed are {allowed}"))
 
 

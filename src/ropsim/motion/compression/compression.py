@@ -86,13 +86,14 @@ class Compression:
 def compressed(points: Array, rotations: Array, zones: Array, longest: float) -> Compression:
     """Return straight moves with zones as curves of least jerk within tolerances, and lines between them.
 
-    Position and unit quaternion are splines of degree five over the length of the polyline. They have the
-    least integral of the squared third derivative within bounds of the deviation at every point and in the
-    middle of every move, and as few breakpoints as these allow. A bound is the deviation that the blend of
-    the point would leave with its zone taken over several moves (`tolerances`); where that leaves no curve,
-    the distance of the point from the straight path through the zone. Orientation keeps within 0.1° per mm of
-    the zone. All curves are checked at ten steps of each move with bounds between them; where one exceeds a
-    tolerance it is fitted closer, and at last the point keeps its own blend.
+    Position and unit quaternion are splines of degree five over the length of the polyline. They minimise the
+    integral of the squared third derivative plus weighted squares of the deviations at every point and in the
+    middle of every move; weights and breakpoints are adapted until the tolerances hold. The tolerance of a
+    point is the deviation that its blend would leave with the zone taken over several moves; where that
+    leaves no curve, the distance of the point from the straight path through the zone (`tolerances`).
+    Orientation keeps within 0.1° per mm of the zone. All curves are checked at ten steps of each move with
+    bounds between them; one that exceeds a tolerance is fitted closer, and at last the point keeps its own
+    blend. Where a smooth polyline needs less room than its zones leave, the curve does not use it.
 
     Args:
         points: ends of the moves, at least `SHORTEST_MOVE` apart [m], shape (k + 1, 3).
@@ -126,8 +127,8 @@ def _compression(chain: Chain, longest: float) -> Compression:
     waiting, attempt = _spans(straight, broken, 0, last), 0
     while waiting:
         failed: list[tuple[Run, Array]] = []
-        for first, behind in waiting:
-            run = run_of(chain, straight, broken, first, behind)
+        for first, end in waiting:
+            run = run_of(chain, straight, broken, first, end)
             tried = spline_fit(polyline_of(chain, allowed, run))
             made = curve_of(tried, chain.rotations[first])
             ratios = _ratios(tried, made)

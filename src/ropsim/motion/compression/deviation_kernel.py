@@ -15,9 +15,9 @@ from ropsim.spatial import Array
 STEPS = 10
 """Steps of each move in which the spline is sampled."""
 FINEST = 32
-"""At most so many parts of a step are looked at where its bound is loose."""
+"""Most parts of a step that are sampled where its bound is loose."""
 LOOSE = 0.02
-"""Of the tolerance: what a bound may add to the samples."""
+"""Share of the tolerance that a bound may add to the samples."""
 SAMPLE = 14
 """Numbers of a sample."""
 STANDS = 0.1
@@ -141,7 +141,7 @@ def _farthest(checked: Checked, spans: int, move: int, step: float, work: Array)
 def _bound(
     checked: Checked, spans: int, move: int, work: Array, i: int, parts: int, step: float
 ) -> tuple[float, float]:
-    """Return a bound of the distance along step i of a move in so many parts, and its greatest sample."""
+    """Return a bound of the distance along step i of a move in several parts, and its greatest sample."""
     bound = sampled = 0.0
     bend, row = max(work[i, 6], work[i + 1, 6]), work[STEPS + 1]
     before = _nearest(checked, move, work[i])

@@ -1,4 +1,4 @@
-"""The smoothest spline within bounds at samples: weights of samples, breakpoints where they are needed.
+"""A smooth spline within bounds at samples: weights of samples, breakpoints where bounds require them.
 
 The spline minimises the integral of the squared third derivative plus the weighted squares of its distances
 from the samples. A bound that is exceeded pulls harder in the next fit (Lawson 1961, iteratively reweighted
@@ -35,11 +35,11 @@ LEAST_WEIGHT, MOST_WEIGHT = 1e-4, 1e7
 FIRST_WAVE = 2.0943951023931953
 """2π / 3: the first weights let waves of three spans pass."""
 FARTHEST_SAMPLE = 12.0
-"""Spans longer than so many samples count as of this length in the first weights."""
+"""Distances between samples that a span counts as in the first weights, at most."""
 SPLIT = 0.6
 """Least length of a span within a move, by that of the move, that is halved."""
 AT_BREAK = 1e-9
-"""Of a span: what lies nearer to a breakpoint lies at it."""
+"""Share of a span; samples nearer to a breakpoint lie at it."""
 POSITION, TURN = 0, 3
 """First columns of the values of position and orientation."""
 

@@ -34,7 +34,7 @@ class FittedCurve:
 def curve_of(fit: SplineFit, rotation: Array) -> FittedCurve | None:
     """Return the curve of a spline; None where it nearly turns back or the tool would whirl.
 
-    Positions are those of the spline. Between breakpoints the rotation vector from the middle orientation is
+    Positions are equal to the spline. Between breakpoints the rotation vector from the middle orientation is
     the polynomial of degree five with orientation, angular velocity and acceleration of the quaternions.
 
     Args:

@@ -52,7 +52,7 @@ def add_values(
 
 
 def move_given(matrix: Array, begin: int, end: int, size: int, right: Array, given: Array) -> None:
-    """Subtract the products with given unknowns, those before `begin` and from `end` on, from right sides.
+    """Subtract the products with given unknowns, before `begin` and from `end` on, from right sides.
 
     Args:
         matrix: shape (size, 6) or longer.
@@ -73,12 +73,12 @@ def move_given(matrix: Array, begin: int, end: int, size: int, right: Array, giv
 
 
 def factorize(matrix: Array, begin: int, end: int) -> None:
-    """Replace rows of a positive definite matrix by those of its factor of Cholesky, the diagonal inverted.
+    """Replace rows of a positive definite matrix by the rows of its Cholesky factor, the diagonal inverted.
 
     Args:
         matrix: shape (size, 6) or longer.
         begin: first row.
-        end: behind the last row; other rows and columns stay as they are.
+        end: behind the last row; other rows and columns are not changed.
     """
     for i in range(begin, end):
         for k in range(min(ORDER - 1, i - begin), -1, -1):

@@ -10,7 +10,7 @@ from ropsim.motion.compression.tolerances import Flags, Tolerances
 from ropsim.spatial import Array, record
 
 _SHARE_OF_LINE = 0.45
-"""Of a line: at most so much of it belongs to the curve at each end."""
+"""Greatest share of a line that belongs to the curve at each of its ends."""
 _SMALL = 1e-12
 """Quaternions that differ by less are the same orientation."""
 
@@ -34,7 +34,7 @@ class Run:
 
 @record
 class Polyline:
-    """The n moves of a run, those on lines before and behind included, and their tolerances.
+    """The n moves of a run, with its ends on lines before and behind, and their tolerances.
 
     Attributes:
         run: moves of the chain.
@@ -90,7 +90,7 @@ def _reach(chain: Chain, line: int, move: int, point: int) -> float:
 
 
 def polyline_of(chain: Chain, allowed: Tolerances, run: Run) -> Polyline:
-    """Return the polyline of a run; orientations on lines are those of the even turn along them."""
+    """Return the polyline of a run; on lines the tool turns evenly."""
     first, last = run.first, run.last
     points, quaternions = chain.points[first : last + 1], chain.quaternions[first : last + 1]
     position, orientation = allowed.position[first : last + 1], allowed.orientation[first : last + 1]

@@ -145,5 +145,5 @@ def _shifted(values: Array, offsets: tuple[int, ...]) -> Array:
 
 
 def _with_ends(values: Array) -> Array:
-    """Return values of the points between moves with those of the first and last point, as their next."""
+    """Return values of the points between moves, the first and the last one again for the end points."""
     return np.concatenate((values[:1], values, values[-1:]))

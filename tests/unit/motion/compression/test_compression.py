@@ -353,17 +353,17 @@ def refused(given: StraightChain, words: str) -> None:
 
 
 @pytest.mark.parametrize("number", [math.nan, math.inf])
-def test_what_is_no_number_is_refused(number: float) -> None:
+def test_numbers_that_are_not_finite_are_refused(number: float) -> None:
     given = wave(10, 2.5e-3, 1e-3)
     points, rotations, zones = (one.copy() for one in given[:3])
     points[3, 1] = rotations[3, 0, 0] = zones[3] = number
-    refused(given._replace(points=points), "a coordinate is no number")
+    refused(given._replace(points=points), "a coordinate is not finite")
     refused(given._replace(rotations=rotations), "a matrix is no rotation")
     refused(given._replace(zones=zones), "a zone is")
     refused(given._replace(longest=math.nan), "the longest move is nan m")
 
 
-def test_what_is_no_chain_is_refused() -> None:
+def test_arguments_that_are_no_chain_are_refused() -> None:
     given = wave(10, 2.5e-3, 1e-3)
     refused(given._replace(zones=given.zones[1:]), "shapes")
     refused(given._replace(points=given.points[:1]), "shapes")
