@@ -75,12 +75,12 @@ def check(seed: int) -> None:
 
 
 @pytest.mark.parametrize("seed", range(60))
-def test_no_curve_deviates_by_more_than_it_states_or_than_the_tolerances(seed: int) -> None:
+def test_curves_deviate_as_stated_and_within_the_tolerances(seed: int) -> None:
     check(seed)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("first", range(100, 1100, 50))
-def test_no_curve_of_a_thousand_chains_deviates_by_more(first: int) -> None:
+def test_curves_of_a_thousand_chains_deviate_as_stated(first: int) -> None:
     for seed in range(first, first + 50):
         check(seed)
