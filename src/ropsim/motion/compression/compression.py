@@ -16,7 +16,12 @@ _ATTEMPTS = 16
 """Times that runs are fitted anew with wider tolerances or fewer moves, before all their points break."""
 _NEAR = 2
 """Points around a move without a curve whose tolerances are widened."""
+_ROUGH, _MANY = 1.01, 8
+"""Spans of at most this share of a move in this number of moves one after the other follow noise."""
+_WHOLE = 0.25
+"""Share of a run; where more of it follows noise all its tolerances are widened."""
 _Pair = tuple[int, int]
+_Made = tuple[SplineFit, FittedCurve]
 
 
 class BreakCause(Enum):
@@ -123,25 +128,33 @@ def _compression(chain: Chain, longest: float) -> Compression:
     allowed = tolerances(chain, is_sharp, np.zeros(last + 1, np.bool_), longest)
     straight, broken = allowed.straight, np.zeros(last + 1, np.bool_)
     broken[1:-1] = is_sharp
-    curves: list[tuple[SplineFit, FittedCurve]] = []
+    curves: list[_Made] = []
+    narrow: dict[int, _Made] = {}
     waiting, attempt = _spans(straight, broken, 0, last), 0
     while waiting:
-        failed: list[tuple[Run, Array]] = []
+        wide, waiting_next = allowed.wide.copy(), []
         for first, end in waiting:
             run = run_of(chain, straight, broken, first, end)
             tried = spline_fit(polyline_of(chain, allowed, run))
             made = curve_of(tried, chain.rotations[first])
             ratios = _ratios(tried, made)
-            if made is not None and ratios.max() <= 1.0:
-                curves.append((tried, made))
+            holds = made is not None and ratios.max() <= 1.0
+            best = narrow.pop(first, None)
+            if made is not None and holds and (best is None or len(tried.breaks) < len(best[0].breaks)):
+                best = tried, made
+            again, worst = _widen_rough(tried, wide) if holds else _widen_exceeded(run, ratios, wide)
+            if best is None:
+                _break(chain, run, worst, broken)
+                if attempt >= _ATTEMPTS:
+                    broken[max(first, 1) : min(end, last - 1) + 1] = True
+                waiting_next += _spans(straight, broken, first, end)
+            elif again and attempt < _ATTEMPTS:
+                narrow[first] = best
+                waiting_next.append((first, end))
             else:
-                failed.append((run, ratios))
-        wide = allowed.wide.copy()
-        for run, ratios in failed:
-            _widen_or_break(chain, run, ratios, attempt, wide, broken)
+                curves.append(best)
         allowed = tolerances(chain, is_sharp, wide, longest)
-        waiting = [one for run, _ in failed for one in _spans(straight, broken, run.first, run.last)]
-        attempt += 1
+        waiting, attempt = waiting_next, attempt + 1
     curves.sort(key=lambda one: one[0].line.run.first)
     parts = _parts(last, curves)
     return Compression(parts, _breaks(chain, longest, sharp, broken, parts))
@@ -174,27 +187,62 @@ def _ratios(tried: SplineFit, made: FittedCurve | None) -> Array:
     return ratios
 
 
-def _widen_or_break(chain: Chain, run: Run, ratios: Array, attempt: int, wide: Flags, broken: Flags) -> None:
-    """Widen the tolerances around moves without a curve, or let the worst point there keep its blend."""
-    inner = np.arange(run.first + 1, run.last)
-    if attempt >= _ATTEMPTS:
-        broken[run.first : run.last + 1] = True
-        broken[[0, -1]] = False
-        return
-    offset = run.first - (1 if run.before else 0)
-    worst_of_moves = ratios.max(axis=1)
-    edges = np.flatnonzero(np.diff(np.concatenate(([0], (worst_of_moves > 1.0).astype(np.int64), [0]))))
-    for begin, behind in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
-        around = slice(max(offset + begin - _NEAR, run.first), min(offset + behind + _NEAR, run.last) + 1)
-        if (ratios[begin:behind, 0] > 1.0).any() and not wide[around].all():
-            wide[around] = True
-            continue
-        worst = offset + begin + int(np.argmax(worst_of_moves[begin:behind]))
-        ends = [point for point in (worst, worst + 1) if run.first < point < run.last]
+def _widen_exceeded(run: Run, ratios: Array, wide: Flags) -> tuple[bool, list[int]]:
+    """Widen the tolerances around moves where they are exceeded.
+
+    Returns:
+        whether a tolerance is widened; and the worst move of each group whose tolerances are wide already.
+    """
+    found, worst, offset = False, [], run.first - (1 if run.before else 0)
+    for begin, end in _groups(ratios.max(axis=1) > 1.0):
+        around = _around(run, offset + begin, offset + end)
+        if (ratios[begin:end, 0] > 1.0).any() and not wide[around].all():
+            wide[around] = found = True
+        else:
+            worst.append(offset + begin + int(np.argmax(ratios[begin:end].max(axis=1))))
+    return found, worst
+
+
+def _widen_rough(tried: SplineFit, wide: Flags) -> tuple[bool, list[int]]:
+    """Widen the tolerances where a spline has a span for each of many moves: it follows noise there.
+
+    Returns:
+        as for `_widen_exceeded`; there is no worst move.
+    """
+    line = tried.line
+    middles = 0.5 * (line.ends[:-1] + line.ends[1:])
+    spans = np.diff(tried.breaks)[np.searchsorted(tried.breaks, middles, side="right") - 1]
+    run, offset = line.run, line.run.first - (1 if line.run.before else 0)
+    rough = [one for one in _groups(spans <= _ROUGH * np.diff(line.ends)) if one[1] - one[0] >= _MANY]
+    if sum(end - begin for begin, end in rough) > _WHOLE * len(middles):
+        rough = [(0, len(middles))]
+    found = False
+    for begin, end in rough:
+        around = _around(run, offset + begin - _MANY, offset + end + _MANY)
+        found |= not wide[around].all()
+        wide[around] = True
+    return found, []
+
+
+def _break(chain: Chain, run: Run, moves: list[int], broken: Flags) -> None:
+    """Let a point of each of these moves keep its blend, the one that bends more."""
+    for move in moves:
+        ends = [point for point in (move, move + 1) if run.first < point < run.last]
         if not ends:
             ends = [run.first] if run.before else []
             ends += [run.last] if run.behind else []
-        broken[max(ends, key=lambda point: _bend(chain, point)) if ends else inner] = True
+        broken[max(ends, key=lambda point: _bend(chain, point))] = True
+
+
+def _groups(flags: Flags) -> list[_Pair]:
+    """Return where groups of true values begin, and behind their ends."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([0], flags.astype(np.int64), [0])))).tolist()
+    return list(zip(edges[::2], edges[1::2], strict=True))
+
+
+def _around(run: Run, first: int, last: int) -> slice:
+    """Return the points first .. last and some next to them that belong to a run."""
+    return slice(max(first - _NEAR, run.first), min(last + _NEAR, run.last) + 1)
 
 
 def _bend(chain: Chain, point: int) -> float:
@@ -203,7 +251,7 @@ def _bend(chain: Chain, point: int) -> float:
     return float(max(chain.turns[point - 1], chain.turn_changes[point - 1] * length))
 
 
-def _parts(moves: int, curves: list[tuple[SplineFit, FittedCurve]]) -> tuple[StraightPart | CurvePart, ...]:
+def _parts(moves: int, curves: list[_Made]) -> tuple[StraightPart | CurvePart, ...]:
     """Return curves in order and the straight moves between them."""
     begins, ends = np.zeros(moves), np.zeros(moves)
     for tried, _ in curves:

@@ -16,7 +16,7 @@ _SAFE = 0.97
 """Of a tolerance: the bound that is fitted to."""
 _EVERY = 8
 """Moves for each span at first."""
-_TIMES = 3
+_TIMES = 6
 """How often bounds are lowered where the spline exceeds a tolerance between samples."""
 _MARGIN, _LOWEST = 1.02, 1e-3
 """Factor by which they are lowered in addition, and the least share of a bound that is left at once."""
