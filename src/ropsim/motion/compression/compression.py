@@ -20,6 +20,8 @@ _ROUGH, _MANY = 1.01, 8
 """Spans of at most this share of a move in this number of moves one after the other follow noise."""
 _WHOLE = 0.25
 """Share of a run; where more of it follows noise all its tolerances are widened."""
+_FEW = 0.05
+"""Points by moves; where fewer keep their blend a curve that follows noise is given up."""
 _Pair = tuple[int, int]
 _Made = tuple[SplineFit, FittedCurve]
 
@@ -143,7 +145,8 @@ def _compression(chain: Chain, longest: float) -> Compression:
             if made is not None and holds and (best is None or len(tried.breaks) < len(best[0].breaks)):
                 best = tried, made
             again, worst = _widen_rough(tried, wide) if holds else _widen_exceeded(run, ratios, wide)
-            if best is None:
+            few = not holds and not again and len(worst) <= _FEW * (end - first)
+            if best is None or (few and attempt < _ATTEMPTS):
                 _break(chain, run, worst, broken)
                 if attempt >= _ATTEMPTS:
                     broken[max(first, 1) : min(end, last - 1) + 1] = True

@@ -118,6 +118,15 @@ def test_zones_far_beyond_the_moves_leave_a_smooth_polyline_its_shape(zone: floa
     assert part.deviation < 5e-6
 
 
+def test_a_curve_follows_the_shape_and_not_the_noise_of_its_points() -> None:
+    """Noise of 10 µm is more than the narrow tolerance of zones of 1 mm leaves and less than the wide one."""
+    given = wave(300, 1e-3, 1e-3)
+    noise = np.random.default_rng(9).normal(size=(300, 3)) * 1e-5
+    part = only_curve(compressed(given.points + noise, given.rotations, given.zones, given.longest))
+    assert len(part.curve.middles) < 150
+    assert np.abs(distances_from(given.points, part.curve.positions(samples_of(part)[0]))).max() < 4e-5
+
+
 def test_a_turn_that_stands_out_keeps_its_blend() -> None:
     given = chain(drawn([(40.0, 0.0), (0.0, 20.0), (40.0, 0.0)], 2e-3), 1e-3)
     found = compressed(*given)
