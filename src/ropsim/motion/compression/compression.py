@@ -14,6 +14,8 @@ from ropsim.spatial import Array, record
 
 _ATTEMPTS = 16
 """Times that runs are fitted anew with wider tolerances or fewer moves, before all their points break."""
+_TRIES = 3
+"""Times that runs with a curve are fitted anew to follow less noise."""
 _NEAR = 2
 """Points around a move without a curve whose tolerances are widened."""
 _ROUGH, _MANY = 1.01, 8
@@ -146,12 +148,12 @@ def _compression(chain: Chain, longest: float) -> Compression:
                 best = tried, made
             again, worst = _widen_rough(tried, wide) if holds else _widen_exceeded(run, ratios, wide)
             few = not holds and not again and len(worst) <= _FEW * (end - first)
-            if best is None or (few and attempt < _ATTEMPTS):
+            if best is None or (few and attempt < _TRIES):
                 _break(chain, run, worst, broken)
                 if attempt >= _ATTEMPTS:
                     broken[max(first, 1) : min(end, last - 1) + 1] = True
                 waiting_next += _spans(straight, broken, first, end)
-            elif again and attempt < _ATTEMPTS:
+            elif again and attempt < _TRIES:
                 narrow[first] = best
                 waiting_next.append((first, end))
             else:
