@@ -18,7 +18,7 @@ _TRIES = 3
 """Times that runs with a curve are fitted anew to follow less noise."""
 _NEAR = 2
 """Points around a move without a curve whose tolerances are widened."""
-_ROUGH, _MANY = 1.01, 8
+_NOISY, _MANY = 1.01, 8
 """Spans of at most this share of a move in this number of moves one after the other follow noise."""
 _WHOLE = 0.25
 """Share of a run; where more of it follows noise all its tolerances are widened."""
@@ -146,7 +146,7 @@ def _compression(chain: Chain, longest: float) -> Compression:
             best = narrow.pop(first, None)
             if made is not None and holds and (best is None or len(tried.breaks) < len(best[0].breaks)):
                 best = tried, made
-            again, worst = _widen_rough(tried, wide) if holds else _widen_exceeded(run, ratios, wide)
+            again, worst = _widen_noisy(tried, wide) if holds else _widen_exceeded(run, ratios, wide)
             few = not holds and not again and len(worst) <= _FEW * (end - first)
             if best is None or (few and attempt < _TRIES):
                 _break(chain, run, worst, broken)
@@ -208,7 +208,7 @@ def _widen_exceeded(run: Run, ratios: Array, wide: Flags) -> tuple[bool, list[in
     return found, worst
 
 
-def _widen_rough(tried: SplineFit, wide: Flags) -> tuple[bool, list[int]]:
+def _widen_noisy(tried: SplineFit, wide: Flags) -> tuple[bool, list[int]]:
     """Widen the tolerances where a spline has a span for each of many moves: it follows noise there.
 
     Returns:
@@ -218,11 +218,11 @@ def _widen_rough(tried: SplineFit, wide: Flags) -> tuple[bool, list[int]]:
     middles = 0.5 * (line.ends[:-1] + line.ends[1:])
     spans = np.diff(tried.breaks)[np.searchsorted(tried.breaks, middles, side="right") - 1]
     run, offset = line.run, line.run.first - (1 if line.run.before else 0)
-    rough = [one for one in _groups(spans <= _ROUGH * np.diff(line.ends)) if one[1] - one[0] >= _MANY]
-    if sum(end - begin for begin, end in rough) > _WHOLE * len(middles):
-        rough = [(0, len(middles))]
+    noisy = [one for one in _groups(spans <= _NOISY * np.diff(line.ends)) if one[1] - one[0] >= _MANY]
+    if sum(end - begin for begin, end in noisy) > _WHOLE * len(middles):
+        noisy = [(0, len(middles))]
     found = False
-    for begin, end in rough:
+    for begin, end in noisy:
         around = _around(run, offset + begin - _MANY, offset + end + _MANY)
         found |= not wide[around].all()
         wide[around] = True
