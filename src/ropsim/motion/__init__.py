@@ -15,6 +15,12 @@ from ropsim.motion.blends.zone_kernel import SAMPLE_PARAMETERS as SAMPLE_PARAMET
 from ropsim.motion.blends.zone_kernel import SAMPLE_SQUARES as SAMPLE_SQUARES
 from ropsim.motion.blends.zone_kernel import SEARCH_STATE as SEARCH_STATE
 from ropsim.motion.blends.zone_kernel import next_samples as next_samples
+from ropsim.motion.compression.chain import SHORTEST_MOVE as SHORTEST_MOVE
+from ropsim.motion.compression.compression import BreakCause as BreakCause
+from ropsim.motion.compression.compression import Compression as Compression
+from ropsim.motion.compression.compression import CurvePart as CurvePart
+from ropsim.motion.compression.compression import StraightPart as StraightPart
+from ropsim.motion.compression.compression import compressed as compressed
 from ropsim.motion.curves.differences import numeric_points as numeric_points
 from ropsim.motion.curves.differences import pose_derivatives as pose_derivatives
 from ropsim.motion.curves.grid import grid as grid

@@ -1,5 +1,8 @@
 """Door for tests: names behind the front of the package. Production code does not import it."""
 
+from ropsim.motion.compression import normal_equations_kernel as normal_equations_kernel
+from ropsim.motion.compression import quaternion_rows as quaternion_rows
+from ropsim.motion.compression import spline_kernel as spline_kernel
 from ropsim.motion.curves.curve_kernel import speed_range as speed_range
 from ropsim.motion.curves.differences import row_derivatives as row_derivatives
 from ropsim.motion.curves.nearest import distances as distances
