@@ -79,7 +79,7 @@ def _description(root: Element, options: ReadOptions, notes: Notes) -> Descripti
 
 
 def _hangs_on_world(bodies: Sequence[Body], connections: Sequence[Connection | None]) -> bool:
-    """Return whether a joint has the ground as its parent, which simulators know without a link."""
+    """Return whether the parent of a joint is the ground without a link, which simulators accept."""
     is_link = any(one.name == _WORLD for one in bodies)
     return not is_link and any(one is not None and one.parent == _WORLD for one in connections)
 

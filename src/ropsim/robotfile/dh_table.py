@@ -24,7 +24,7 @@ from ropsim.tomltext import MOMENT, VALUE_OUT_OF_RANGE, Quantity, TomlTable, Uni
 MOST_JOINTS = 32
 
 SPEEDS = {JointType.REVOLUTE: pi / 2.0, JointType.PRISMATIC: 0.25}
-"""Estimated if a row has none [rad/s | m/s]."""
+"""Estimated speed if a row states no speed [rad/s | m/s]."""
 TO_FULL_SPEED = 0.25
 """Estimated acceleration: full speed is reached in this time [s]."""
 RISE = 10.0

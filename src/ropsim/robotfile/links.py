@@ -33,7 +33,7 @@ class Links:
 
 
 def read_links(root: TomlTable, table: DhTable, X_nM: Pose, arm_class: ArmClass, units: Units) -> Links:
-    """Return the links of a file; without masses if it has none.
+    """Return the links of a file; without masses if the file states no masses.
 
     Args:
         root: the file, with the keys `links`, `mass` and `total_mass`.
@@ -94,7 +94,7 @@ def _masses(
 
 
 def _whole(root: TomlTable, arm_class: ArmClass, count: int) -> LinkMasses | None:
-    """Return the masses that all links have by rule; nothing where the file gives no mass of the arm."""
+    """Return the masses of all links by rule; nothing where the file states no mass of the arm."""
     moving = root.number("mass", MASS, 0.0) if "mass" in root else None
     total = root.number("total_mass", MASS, 0.0) if "total_mass" in root else None
     if moving is not None:

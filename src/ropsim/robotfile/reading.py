@@ -155,7 +155,7 @@ def _home(root: TomlTable, joints: tuple[Joint, ...], units: Units) -> Array:
 
 
 def _coordinate(joint: Joint, units: Units) -> Quantity:
-    """Return how the coordinate of a joint is written; it lies within the limits, but for the last digit."""
+    """Return the quantity of a joint coordinate; it lies within the limits, except for rounding."""
     way = units.turn if joint.type is JointType.REVOLUTE else units.position
     return way.within(joint.lower - _ROUNDED, joint.upper + _ROUNDED)
 

@@ -10,7 +10,7 @@ from ropsim.model import WITHOUT_END, JointType
 from ropsim.spatial import Pose
 
 _ROUNDED = 9  # digits behind the point, of millimetres and degrees
-_DIGITS = 13  # of rates: slow ones keep them, too
+_DIGITS = 13  # of rates; slow rates also keep them
 _UNIT = 14  # digits behind the point, of entries of quaternions
 _TURN = 12  # digits behind the point, of turns
 _TWO_TURNS = 2.0 * tau  # [rad]; limits beyond them are counted in turns

@@ -27,7 +27,7 @@ class Body:
         weight: mass, centre of mass and inertia about that, in the frame of the body.
         shapes: geometry, in the frame of the body.
         span: where it stands.
-        is_collision: whether the file gives it collision geometry, and no looks.
+        is_collision: whether the link has collision geometry in the file, and no visual geometry.
     """
 
     name: str

@@ -12,7 +12,7 @@ MOST_FINGER_AXES = 4
 MOST_HAND_AXES = 8
 """The same of a hand with three fingers or more, whose files have axes without extent between the joints."""
 _HAND_FINGERS = 3
-_LONG = 2  # axes of a chain: what follows it and has no axis is a rod beside it
+_LONG = 2  # axes of a chain from which on connections without axes next to it are rods, not fingers
 _LEAST_ARM_AXES = 3  # before a single finger
 _FINGERS = ("finger", "gripper", "jaw", "claw")
 
@@ -39,7 +39,7 @@ class _Groups:
         moving: connections that move out of a group, in the order of the tree.
         before: axes before each group.
         behind: most axes in a row behind each moving connection, with its own, by its name.
-        bodies: names of those in each group.
+        bodies: names of the bodies of each group.
     """
 
     of: Mapping[str, str]

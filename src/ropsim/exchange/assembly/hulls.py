@@ -22,7 +22,7 @@ _UNDRAWN = Topic(
 def hulls_of(bodies: Mapping[str, Body], tree: LinkTree) -> frozenset[str]:
     """Return the names of bodies that are collision geometry around the body that carries them.
 
-    Such a body has collision geometry alone, and is fixed at the origin of a body with visual geometry.
+    A hull has collision geometry only, and is fixed at the origin of a body with visual geometry.
 
     Args:
         bodies: of the file, by name.

@@ -33,9 +33,9 @@ def last_frames(
 ) -> tuple[str, ...]:
     """Return the frames that can be the interface; several where they are equally good.
 
-    It is the only end of what is fixed to the last link, where cameras, sensors and collision
-    geometry (`hulls_of`) are none; else a frame with a usual name; else an empty frame at a
-    distance; else the last link itself.
+    The interface is the only end of the bodies that are fixed to the last link, if necessary counted
+    without cameras, sensors and collision geometry (`hulls_of`); else a frame with a usual name; else an
+    empty frame at a distance; else the last link itself.
 
     Args:
         group: name of the last link that an axis moves.

@@ -72,7 +72,7 @@ def tip_of(description: Description, tree: LinkTree, wanted: str | None, notes: 
 def _usual(known: _Known, tree: LinkTree) -> list[str]:
     """Return the names for the first usual word that some moved links have.
 
-    It is the exact name, else those that end with the word and have most axes before them.
+    The exact name comes first, then the names that end with the word and have most axes before them.
     """
     axes = {name: axes_before(tree, body) for name, (body, _) in known.items()}
     moved = [name for name, count in axes.items() if count]

@@ -1,4 +1,4 @@
-"""Efforts of a file that cannot carry the weight of the arm: such an axis has no limit of effort."""
+"""Efforts of a file that cannot carry the weight of the arm; they are not used as limits."""
 
 from collections.abc import Sequence
 

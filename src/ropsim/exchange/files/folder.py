@@ -18,15 +18,15 @@ _LARGEST = 20_000_000  # bytes of an included file
 
 @frozen_dataclass
 class RobotFolder:
-    """The folder from which paths count, and where in it the packages are that robot files speak of.
+    """The folder from which paths count, and the folders of the packages that robot files refer to.
 
     Attributes:
         root: the folder; None if no file may be read: then meshes are taken as named.
         packages: folder of each package, from the root on, with `/`.
         beside: folder of the robot file, from the root on, with `/`.
-        open: folders whose files are read, in addition to those of found packages; empty text for the root.
+        open: folders whose files are read, in addition to found packages; empty text for the root.
         named_from: folder from which messages name files; None for full names.
-        read: paths that were read or looked for; not part of the content.
+        read: paths that were read or checked; not part of the content.
     """
 
     root: Path | None = None
@@ -42,7 +42,7 @@ class RobotFolder:
         Args:
             name: `package://package/path`, `file://path`, `file:///package://package/path`, or a path
                 relative to the file that names it.
-            beside: folder of the file that names it; None for that of the robot file.
+            beside: folder of the file that names it; None for the folder of the robot file.
         """
         start = self.beside if beside is None else beside
         name = without_file_scheme(name).replace("\\", "/")
@@ -60,7 +60,7 @@ class RobotFolder:
 
     @property
     def files(self) -> tuple[Path, ...]:
-        """Return the files that were read or looked for, and folders whose new entries may be packages."""
+        """Return the files that were read or checked, and folders whose new entries may be packages."""
         if self.root is None:
             return ()
         folders = self.packages.searched if isinstance(self.packages, Packages) else ()
@@ -104,7 +104,7 @@ class RobotFolder:
         return place.stat().st_size if place else 0
 
     def names_beside(self, ending: str) -> tuple[str, ...]:
-        """Return the names of the files beside the robot file with an ending, in order."""
+        """Return the sorted names of the files with an ending in the folder of the robot file."""
         if self.root is None:
             return ()
         try:

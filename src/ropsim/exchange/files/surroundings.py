@@ -1,4 +1,4 @@
-"""Files that a robot file may use: those beside it, and those of packages near to it."""
+"""Files that a robot file may use: files in its own folder and in packages near to it."""
 
 import os
 from collections.abc import Mapping

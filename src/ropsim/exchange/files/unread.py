@@ -1,4 +1,4 @@
-"""Attributes of a file that no reader knows, reported by the names of element and attribute."""
+"""Attributes of a file that are not read, reported by the names of element and attribute."""
 
 from collections.abc import Iterator, Set
 
@@ -36,7 +36,7 @@ def note_unread(element: Element, key: str, topic: Topic, notes: Notes) -> None:
     Args:
         element: that has it.
         key: its name.
-        topic: what depends on it, one of this file.
-        notes: take the loss.
+        topic: of this module, by the use of the attribute.
+        notes: for the loss.
     """
     notes.gather(topic, element.span, [f"{element.name}/{key}"])

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 
 from ropsim.core import Diagnostic, Kind, Span, frozen_dataclass
 
-_LONGEST = 400  # characters of a text that are looked at, to show sixty of them
+_LONGEST = 400  # characters of a text that are processed, to show sixty of them
 NAMED = 6
 """Number of entities named in a message."""
 _FEW = 3  # topics of which two names are in the message, one otherwise

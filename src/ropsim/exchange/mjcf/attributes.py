@@ -1,7 +1,7 @@
 """Attributes of MJCF that need no report of their own; all others are reported by name.
 
-Some are read, some change neither motion nor weight, and those for the control of actuators are reported with
-the actuators. Looked at are the settings, defaults, assets, bodies and actuators of a file.
+Some are read, some change neither motion nor weight, and attributes for the control of actuators are reported
+with the actuators. The check covers the settings, defaults, assets, bodies and actuators of a file.
 """
 
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""Bodies of MJCF that move about freely, and coordinates of joints: of the types that classes give them."""
+"""Free bodies of MJCF, and the number of coordinates of joints, whose types classes may state."""
 
 from collections.abc import Iterator
 
@@ -6,7 +6,7 @@ from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.mjcf.settings import Settings
 
 _COORDINATES = {"free": 7, "ball": 4}
-"""Coordinates of types of joints, of others one: a ball has a quaternion, a free joint a position too."""
+"""Number of coordinates by type of joint, else 1: a ball has a quaternion, a free joint also a position."""
 Member = tuple[Element, str]
 """An element with the class that it inherits."""
 
@@ -49,7 +49,7 @@ def coordinates_of(joint: Element, inherited: str, settings: Settings) -> int:
 
 
 def coordinates_below(body: Element, inherited: str, settings: Settings) -> int:
-    """Return how many coordinates the joints of a body have, with those of all bodies on it."""
+    """Return how many coordinates the joints of a body and of all bodies on it have."""
     return sum(coordinates_of(*one, settings) for one in _descendants(body, inherited))
 
 
@@ -63,7 +63,7 @@ def _type_of(joint: Element, inherited: str, settings: Settings) -> str:
 
 
 def _own(body: Element, inherited: str) -> Iterator[Member]:
-    """Yield what stands in a body, including what stands in frames, without what stands in its bodies."""
+    """Yield the elements of a body and of its frames, without the contents of its child bodies."""
     waiting = _children(body, inherited)
     while waiting:
         one, own = waiting.pop()
@@ -82,6 +82,6 @@ def _descendants(element: Element, inherited: str) -> Iterator[Member]:
 
 
 def _children(element: Element, inherited: str) -> list[Member]:
-    """Return what stands in an element, the first one last."""
+    """Return the children of an element with their class, the first one last."""
     own = element.attributes.get("childclass", inherited)
     return [(one, own) for one in reversed(element.children)]

@@ -30,7 +30,7 @@ def home_of(
         root: of the file.
         connections: of the robot.
         places: of the coordinates of connections by name, in the order of MuJoCo.
-        coordinates: number of all coordinates of the file, those of free bodies included.
+        coordinates: number of all coordinates of the file, including the coordinates of free bodies.
         notes: for a frame that is not read.
     """
     keys = [key for frame in root.all("keyframe") for key in frame.all("key") if "qpos" in key.attributes]

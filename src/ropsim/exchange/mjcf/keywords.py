@@ -9,7 +9,7 @@ from ropsim.exchange.losses.notes import Notes
 
 
 class Keyword(Enum):
-    """What such an attribute or flag says; `auto` leaves it to other data of the file."""
+    """Value of an attribute or a flag; with `auto`, other data of the file decide."""
 
     TRUE = "true"
     FALSE = "false"
@@ -23,7 +23,7 @@ _SWITCHES = (Keyword.ENABLE, Keyword.DISABLE)
 
 
 def keyword_of(element: Element, key: str, notes: Notes) -> Keyword:
-    """Return what an attribute says that may be `auto`, which it is where it is missing."""
+    """Return the value of an attribute that may be `auto`; it is `auto` if missing or wrong (noted)."""
     return _keyword_of(element, key, notes, (*_TRUTH, Keyword.AUTO), Keyword.AUTO)
 
 
@@ -40,7 +40,7 @@ def says(element: Element, key: str, notes: Notes, default: Keyword = Keyword.FA
 
 
 def switch_of(flag: Element, key: str, notes: Notes, before: Keyword) -> Keyword:
-    """Return what a flag of `option` enables or disables; what held before where it does not say."""
+    """Return the value of a flag of `option`; `before` if it is missing or wrong (noted)."""
     return _keyword_of(flag, key, notes, _SWITCHES, before)
 
 

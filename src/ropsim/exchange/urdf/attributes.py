@@ -43,7 +43,7 @@ KNOWN: Mapping[str, tuple[frozenset[str], frozenset[str]]] = MappingProxyType(
         "mimic": (_names("joint multiplier offset"), _NOTHING),
     }
 )
-"""Attributes and inner elements by element; what stands in others is not looked at."""
+"""Attributes and inner elements by element; the contents of other elements are not checked."""
 _TOPICS: Mapping[str, Topic] = MappingProxyType(
     dict.fromkeys(_names("inertial origin mass inertia axis mimic"), UNREAD_MOTION)
     | dict.fromkeys(_names("limit dynamics"), UNREAD_DRIVE)

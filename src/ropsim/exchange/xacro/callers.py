@@ -11,7 +11,7 @@ from ropsim.exchange.losses.gathered import listed
 from ropsim.exchange.losses.notes import Notes
 
 MOST_FILES = 100
-"""Files beside a robot file that are searched."""
+"""Most files in the folder of a robot file that are searched."""
 _ENDING = ".xacro"
 
 
@@ -22,10 +22,10 @@ def macros_of(root: Element) -> tuple[str, ...]:
 
 
 def note_macros(root: Element, folder: RobotFolder, notes: Notes) -> None:
-    """Note that a file without links only defines macros, with the files beside it that call them.
+    """Note that a file without links only defines macros, with the files in its folder that call them.
 
     Args:
-        root: the file as it is written, with macros.
+        root: the file before expansion, with macros.
         folder: in which it is.
         notes: for the error.
     """
@@ -41,7 +41,7 @@ def note_macros(root: Element, folder: RobotFolder, notes: Notes) -> None:
 
 
 def _callers(macros: Sequence[str], own: str, folder: RobotFolder) -> tuple[str, ...]:
-    """Return the names of the files beside a file that call one of some macros."""
+    """Return the names of other files in the folder of the robot file that call one of some macros."""
     called = re.compile(rf"<xacro:(?:{'|'.join(map(re.escape, macros))})[\s/>]")
     found = []
     for name in folder.names_beside(_ENDING)[:MOST_FILES]:

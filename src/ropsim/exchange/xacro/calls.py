@@ -29,7 +29,7 @@ class Calls(Texts, ABC):
             return self._expanded_call(macro, one, outer, depth)
 
     def _expanded_call(self, macro: Macro, one: Element, outer: Scope, depth: int) -> list[Element]:
-        """Return what a call makes of a macro, in the scope around it."""
+        """Return the elements that a call of a macro expands to."""
         inner = Scope(self, outer)
         self._check(macro, one)
         values = [parameter for parameter in macro.parameters if parameter.sort is Sort.VALUE]
@@ -45,7 +45,7 @@ class Calls(Texts, ABC):
         return found
 
     def _check(self, macro: Macro, one: Element) -> None:
-        """Make sure that a call passes what the macro has."""
+        """Raise `XacroError` if a call passes a parameter that the macro does not have."""
         known = [parameter.name for parameter in macro.parameters if parameter.sort is Sort.VALUE]
         for key in one.attributes:
             if (
@@ -57,7 +57,7 @@ class Calls(Texts, ABC):
                 raise XacroError(f"macro `{macro.name[:60]}` has no parameter `{key[:60]}`", hint)
 
     def _give_blocks(self, macro: Macro, elements: list[Element], inner: Scope) -> None:
-        """Pass the elements of a call in their order: whole ones, or what stands in them."""
+        """Pass the elements of a call to the blocks of a macro in order, each whole or as its children."""
         wanted = [parameter for parameter in macro.parameters if parameter.sort is not Sort.VALUE]
         for parameter, element in zip(wanted, elements, strict=False):
             whole = parameter.sort is Sort.ELEMENT

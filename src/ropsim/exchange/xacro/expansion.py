@@ -129,7 +129,7 @@ class _Expansion(Calls):
         return self._elements((named,), scope, depth + 1)
 
     def _attribute(self, one: Element, scope: Scope, _depth: int) -> list[Element]:
-        """Give the element around an attribute whose name is computed."""
+        """Set an attribute with a computed name on the element around it."""
         name, value = (self._need(one, key, scope) for key in ("name", "value"))
         if not name:
             raise XacroError("`xacro:attribute` has an empty name", "write the name of an attribute")

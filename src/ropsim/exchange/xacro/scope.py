@@ -80,7 +80,7 @@ class Scope:
         self._macros[macro.name] = macro
 
     def remove(self, name: str) -> None:
-        """Take a property away, from the scopes around this one too."""
+        """Remove a property from this scope and from the scopes around it."""
         for scope in self._all():
             scope._texts.pop(name, None)
             scope._values.pop(name, None)

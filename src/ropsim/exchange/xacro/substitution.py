@@ -72,7 +72,7 @@ def _part(match: re.Match[str], scope: Scope) -> Value:
 
 
 def _optional(rest: str, _scope: Scope) -> Value:
-    """Return the default of an environment variable: no such variable is read."""
+    """Return the default of an environment variable; environment variables are not read."""
     return rest.partition(" ")[2].strip()
 
 

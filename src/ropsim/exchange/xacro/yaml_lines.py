@@ -1,4 +1,4 @@
-"""Lines of a YAML text without comments; what stands in brackets over several lines becomes one of them."""
+"""Lines of a YAML text without comments; brackets over several lines become one line."""
 
 from ropsim.exchange.xacro.formulas.values import LONGEST, XacroError
 

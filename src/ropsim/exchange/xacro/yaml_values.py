@@ -163,7 +163,7 @@ class _Reader:
 
 
 def _mapping(value: Value) -> Mapping[Key, Value]:
-    """Return what a merge key takes over: a mapping, or several, of which the first ones win."""
+    """Return the pairs that a merge key adds: of one mapping, or of several, of which the first ones win."""
     many = value if isinstance(value, list) else [value]
     found: dict[Key, Value] = {}
     for one in many:
@@ -225,7 +225,7 @@ def _split(text: str) -> tuple[str, str] | None:
 
 
 def _parts(text: str) -> list[str]:
-    """Return what stands between the commas of brackets."""
+    """Return the texts between the commas of brackets."""
     parts: list[str] = []
     level, start, quote = 0, 1, ""
     for place, letter in enumerate(text[1:-1], start=1):

@@ -17,7 +17,7 @@ USED_SHARE = 0.9
 POSTURE_SHARE = 0.75
 """Share of the postures in which the torque has to allow them; planning slows the others."""
 DIGITS = 7
-"""Significant ones of an estimate: those behind depend on the processor that made it."""
+"""Significant digits of an estimate; further digits depend on the processor that computes it."""
 LEAST_SHARE = 0.2
 """Least acceleration over that of full speed in the times above."""
 

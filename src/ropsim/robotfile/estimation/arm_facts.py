@@ -1,4 +1,4 @@
-"""What is known of an arm beyond its model: facts that estimates are made from."""
+"""Facts about an arm beyond its model, from which estimates are made."""
 
 from math import inf
 

@@ -1,4 +1,4 @@
-"""What the origins of estimated groups of parameters say: the rule, and how far it may be off."""
+"""Origins of estimated groups of parameters, in words: the rule, and how far it may be off."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from math import isfinite
@@ -12,7 +12,7 @@ from ropsim.robotfile.estimation.link_masses import DENSITY
 MASSES_OFF = "loads ±12 %"
 """How far gravity and inertia of the axes may be off with the rated payload, if the total mass is known."""
 MASSES_WEAKLY_OFF = "loads ×1.75"
-"""The same if the total mass is an estimate, too."""
+"""The same if the total mass is also an estimate."""
 _UNPROVEN = (ArmClass.PALLETIZER, ArmClass.SCARA)
 
 
@@ -29,7 +29,7 @@ def mass_origin(arm_class: ArmClass, total: float, source: str) -> ParameterOrig
 
 
 def size_mass_origin(arm_class: ArmClass, total: float) -> ParameterOrigin:
-    """Return the origin of masses where the total mass is an estimate by payload and reach, too.
+    """Return the origin of masses where the total mass is also an estimate, by payload and reach.
 
     Args:
         arm_class: of the arm.
@@ -122,7 +122,7 @@ def friction_origins(names: Sequence[str], made: CompletedFrictions) -> list[Par
 
 
 def _frictions(names: Sequence[str], dry: Sequence[int], viscous: Sequence[int]) -> Iterator[str]:
-    """Yield what dry friction of some axes and viscous friction of some axes are called."""
+    """Yield the names of the groups of dry friction and of viscous friction, with their axes."""
     groups = (
         (("friction", dry),) if dry == viscous else (("dry friction", dry), ("viscous friction", viscous))
     )
@@ -141,7 +141,7 @@ def acceleration_origin() -> ParameterOrigin:
 
 
 def without_accelerations(origins: Iterable[ParameterOrigin]) -> list[ParameterOrigin]:
-    """Return origins without estimates of accelerations and jerks; of such groups only speeds stay."""
+    """Return origins without estimates of accelerations and jerks; speeds of the same groups stay."""
     found = []
     for one in origins:
         if one.kind is not OriginKind.ESTIMATED or "acceleration" not in one.parameters:

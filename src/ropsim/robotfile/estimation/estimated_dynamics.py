@@ -1,4 +1,4 @@
-"""Masses and drives of an arm: what is known stays, the rest is made by stated rules and marked as estimated.
+"""Masses and drives of an arm: known values stay, the rest is by stated rules and marked as estimated.
 
 The rules, where they come from and how far they miss arms with published data: docs/explanation/estimates.md.
 """
@@ -129,7 +129,7 @@ def _estimated(robot: RobotModel, facts: ArmFacts) -> RobotModel | Diagnostic:
 
 
 def _refusal(robot: RobotModel, facts: ArmFacts) -> tuple[str, str] | None:
-    """Return what forbids estimates for an arm, and a hint; nothing if they can be made."""
+    """Return the reason against estimates for an arm, and a hint; nothing if they can be made."""
     chain = [joint.parent for joint in robot.joints] == list(range(-1, len(robot.joints) - 1))
     kinds = {joint.type for joint in robot.joints} <= {JointType.REVOLUTE, JointType.PRISMATIC}
     if robot.drives and not _lacks_torques(robot):
@@ -152,10 +152,10 @@ def _refusal(robot: RobotModel, facts: ArmFacts) -> tuple[str, str] | None:
 def lacks_motors(robot: RobotModel) -> bool:
     """Return whether an arm has masses, torque limits or friction, but neither rotors nor gears.
 
-    Such are arms in URDF. Estimates complete them without asking for a mass or a payload.
+    Arms in URDF are of this kind. Estimates complete them and need no total mass and no payload.
 
     Args:
-        robot: as it was read.
+        robot: from its file, without estimates.
     """
     has_any = bool(np.isfinite(robot.max_efforts).any()) or any(
         one.friction.viscous or one.friction.coulomb_positive for one in robot.drives
@@ -164,9 +164,9 @@ def lacks_motors(robot: RobotModel) -> bool:
 
 
 def _massless(robot: RobotModel) -> tuple[int, ...]:
-    """Return the links without mass that are moved by axes, of a palletizer all or none of its links.
+    """Return the numbers of the links without mass; of a palletizer all of its links, or none.
 
-    Rods and triangles beside the axes may be without mass where others have one.
+    Rods and triangles of a palletizer may be without mass if other links have mass.
     """
     without = [number for number, link in enumerate(robot.links) if not (link.mass or link.inertia.any())]
     if level_chain(robot) and len(without) < len(robot.links):
@@ -189,7 +189,7 @@ def _is_stand_in(drive: Drive) -> bool:
 
 
 def _known_frictions(robot: RobotModel) -> list[JointFriction]:
-    """Return the friction of each axis that stand-ins for drives have; 0 where they have none."""
+    """Return the friction of each axis that stand-ins for drives state; 0 where it is unknown."""
     if not robot.drives or not all(map(_is_stand_in, robot.drives)):
         return [JointFriction(0.0, 0.0, 0.0)] * robot.n
     rows = [one.friction for one in robot.drives]
@@ -208,7 +208,7 @@ def _lacks_torques(robot: RobotModel) -> bool:
 def _with_masses(
     robot: RobotModel, arm_class: ArmClass, payload: float, facts: ArmFacts
 ) -> tuple[RobotModel, ParameterOrigin]:
-    """Return an arm with masses by rule where it has none, and their origin."""
+    """Return an arm with masses by rule for its links without mass, and their origin."""
     known = isfinite(facts.total_mass)
     is_level = bool(level_chain(robot))
     length = palletizer_length(robot) if is_level else extended_length(robot.joints, robot.X_nM)

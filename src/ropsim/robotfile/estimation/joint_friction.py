@@ -2,8 +2,8 @@
 
 Dry friction is 0.08·τ, of wrists 0.12·τ; viscous friction is 0.08·τ at full speed. Twelve axes of the PUMA
 560 and the Manutec r3 are within a factor of three, 80 % of them within 2.6; calibration from a trace fits
-them. Files that give friction give it for some axes, and often one of the two kinds only: what they give
-stays, the rest is by rule. A small viscous number next to no dry friction is damping for a simulator and no
+them. Files with friction often state it for some axes only, or only one of the two kinds: their values stay,
+the rest is by rule. A small viscous number next to no dry friction is damping for a simulator and no
 measured friction.
 """
 
@@ -86,7 +86,7 @@ def completed_frictions(known: Sequence[JointFriction], ruled: Sequence[JointFri
     """Return known friction, completed by rule for each axis and each kind of friction.
 
     Args:
-        known: of each axis; 0 for what is unknown.
+        known: friction of each axis; 0 if it is unknown.
         ruled: friction of each axis by rule.
     """
     values: list[JointFriction] = []

@@ -1,6 +1,6 @@
 """Masses of links by rule: shares of the mass of the arm, spread along the links as cylinders.
 
-The shares are those of arms with published masses, by their class; docs/explanation/estimates.md has the
+The shares come from arms with published masses, by their class; docs/explanation/estimates.md has the
 arms, and how far the rule misses them. An arm of another number of axes has the shares of the six-axis arm of
 its class with neighbouring links taken together; the links of more than seven axes count as wrists.
 """
@@ -63,7 +63,7 @@ class LinkMasses:
 
 
 def total_mass(arm_class: ArmClass, payload: float, reach: float) -> float:
-    """Return the mass of an arm with its base of which nothing but size and payload is known [kg].
+    """Return the mass of an arm with its base, estimated from size and payload only [kg].
 
     38·p^0.20·R^1.88, cobots 0.41 times that: 80 % of 25 arms within 1.75.
 
@@ -129,7 +129,7 @@ def _grouped(shares: Array, count: int, known: int) -> Array:
 
     Args:
         shares: of the known links.
-        count: wanted number.
+        count: number of shares to return.
         known: number of the known links.
     """
     if count == known:

@@ -1,4 +1,4 @@
-"""What gravity and inertia ask of the axes of an arm that carries its rated payload, over many postures."""
+"""Loads of the axes by gravity and inertia, over many postures of an arm that carries its rated payload."""
 
 from dataclasses import replace
 from math import isfinite
@@ -24,7 +24,7 @@ class AxisLoads:
         gravity: torques or forces that hold the axes, without sign [N·m | N], shape (k, n).
         inertia: of the axes without their rotors [kg·m² | kg], shape (k, n).
         worst_gravity: the greatest torques or forces in any posture within the limits [N·m | N], shape (n,);
-            those of the k postures miss it by some per cent, but rules multiply them.
+            the maxima of the k postures, which the rules multiply, are lower by some per cent.
     """
 
     gravity: Array

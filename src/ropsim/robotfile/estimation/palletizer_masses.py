@@ -22,7 +22,7 @@ def palletizer_links(robot: RobotModel, total: float) -> tuple[Link, ...]:
     """Return the links of a palletizer with masses by rule, as cylinders from joint to joint.
 
     A rod of a parallelogram is as long as the arm that it stays parallel to; bodies next to the arms that are
-    parallel to none, such as triangles, reach from joint to joint. All of them have one mass together.
+    parallel to none, such as triangles, reach from joint to joint. They share one mass equally.
 
     Args:
         robot: a palletizer (`level_chain`).

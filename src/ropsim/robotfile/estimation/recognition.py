@@ -18,7 +18,7 @@ _LEVEL_BODIES = 5  # from column to flange: column, lower arm, forearm, wrist, f
 def arm_class_of(robot: RobotModel) -> ArmClass:
     """Return the class of an arm.
 
-    An arm that does not say its class has one by its axes: parallelograms that keep the flange level make
+    An arm without a stated class is classified by its axes: parallelograms that keep the flange level make
     a palletizer, parallel axes of which one slides a SCARA arm, seven turning axes a seven-axis arm, six
     turning axes with axes 2, 3 and 4 parallel a cobot. Every other arm is an industrial one.
     """

@@ -1,4 +1,4 @@
-"""Torque limits by rule: multiples of what gravity asks of the axes while the arm holds its rated payload.
+"""Torque limits by rule: multiples of the gravity torques of an arm that holds its rated payload.
 
 | axes | limit |
 |---|---|
@@ -61,10 +61,10 @@ class TorqueLimits:
 def torque_limits(
     robot: RobotModel, arm_class: ArmClass, loads: AxisLoads, rotors: Array, trust: TorqueTrust
 ) -> TorqueLimits:
-    """Return the torque limits of an arm: its own, and by rule those that are missing.
+    """Return the torque limits of an arm: known limits that stay, the others by rule.
 
-    Known limits stay where they hold the arm with its rated payload in each posture, and those that its maker
-    stands for stay always. Stand-ins for unknown limits (`are_stand_ins`) have to leave a quarter for motion.
+    Known limits stay where they hold the arm with its rated payload in each posture; limits from its maker
+    always stay. Stand-ins for unknown limits (`are_stand_ins`) have to leave a quarter for motion.
 
     Args:
         robot: with the limits that are known.

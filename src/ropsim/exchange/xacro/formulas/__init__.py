@@ -1,1 +1,1 @@
-"""Expressions of xacro: values, words, grammar, and what may be called."""
+"""Expressions of xacro: values, words, grammar, functions and methods."""

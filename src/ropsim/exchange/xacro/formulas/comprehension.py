@@ -70,7 +70,7 @@ def _parts(variables: tuple[str, ...], value: Value) -> dict[str, Value]:
 
 
 class _Bound:
-    """Names with those of a comprehension before them."""
+    """Names in a comprehension: its variables hide the outer names."""
 
     def __init__(self, outer: Names, bound: dict[str, Value]) -> None:
         self._outer, self._bound = outer, bound

@@ -1,4 +1,4 @@
-"""Functions of expressions that need the file: those of the name space `xacro`."""
+"""Functions of expressions that need the file: the name space `xacro`."""
 
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
@@ -60,7 +60,7 @@ FILE_FUNCTIONS: Mapping[str, Callable[..., Value]] = MappingProxyType(
 )
 """Functions of `xacro.`, whose first argument is the file."""
 DIRECT = ("load_yaml", "arg", "abs_filename", "dotify")
-"""Those that are called without `xacro.` too."""
+"""Functions that can also be called without `xacro.`."""
 
 
 def called_in_file(name: str, arguments: Arguments) -> Meaning:

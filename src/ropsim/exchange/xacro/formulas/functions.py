@@ -1,4 +1,4 @@
-"""Functions and constants of expressions: those of Python and of its mathematics that xacro offers."""
+"""Functions and constants of expressions: the part of Python and its mathematics that xacro offers."""
 
 import math
 from collections.abc import Callable, Iterable, Mapping

@@ -13,7 +13,7 @@ Arguments = tuple[list[Meaning], dict[str, Meaning]]
 
 
 def first_of(parts: list[Meaning], names: Names, wanted: Callable[[Value], bool]) -> Value:
-    """Return the first value that is wanted, else the last one; those behind it are not evaluated."""
+    """Return the first value that meets a condition, else the last one; later parts are not evaluated."""
     value: Value = None
     for part in parts:
         value = part(names)

@@ -67,7 +67,7 @@ def method_of(owner: Value, name: str) -> Callable[..., Any]:
     """Return a method of a value.
 
     Raises:
-        XacroError: it has none of that name that is carried out.
+        XacroError: it has no method of that name that is carried out.
     """
     noun, methods = METHODS.get(type(owner), ("that value", MappingProxyType({})))
     if name not in methods:

@@ -1,4 +1,4 @@
-"""What an expression can see: values by name, and services of the file that it stands in."""
+"""Names that an expression can use: values by name, and services of the file that contains it."""
 
 from typing import Protocol
 

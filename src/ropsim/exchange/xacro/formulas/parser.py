@@ -130,7 +130,7 @@ class Parser(TokenReader):
         return found
 
     def _element(self, of: Meaning) -> Meaning:
-        """Return what stands in brackets behind a value: an index or a slice."""
+        """Return the index or slice of a value, from the brackets behind it."""
         ends: list[Meaning] = []
         colons = 0
         last: Meaning | None = None
@@ -178,7 +178,7 @@ class Parser(TokenReader):
         return "".join(parts)
 
     def _word(self, name: str) -> Meaning:
-        """Return what a name stands for that is no member."""
+        """Return the meaning of a name that is not a member: a call, a constant or a value."""
         if name in _REFUSED:
             raise XacroError(f"`{name}` is not carried out", "write the expression without it")
         if name == "xacro" and self._take("."):
@@ -222,7 +222,7 @@ class Parser(TokenReader):
         return pair[0].text
 
     def _group(self) -> Meaning:
-        """Return what stands in parentheses: a value, several ones, or a comprehension."""
+        """Return the contents of parentheses: a value, several values, or a comprehension."""
         if self._take(")"):
             return grouped_values([])
         parts = [self._turning(self._conditional())]

@@ -98,12 +98,12 @@ def key_of(value: Value) -> Key:
 
 
 def unquoted(text: str) -> str:
-    """Return what stands in single quotation marks, else the text itself."""
+    """Return the text inside single quotation marks, else the text itself."""
     return text[1:-1] if len(text) >= 2 and text[0] == text[-1] == "'" else text
 
 
 def literal(text: str) -> Value:
-    """Return the value of a text: a number, a truth value, what is in single quotation marks, else itself."""
+    """Return a text as a number, a truth value or the text inside single quotation marks, else itself."""
     word = text.strip()
     if unquoted(text) != text:
         return unquoted(text)
