@@ -26,7 +26,11 @@ _ROWS = MJCF_ARM.replace(
     '<default><default class="f"><joint type="free"/></default></default><worldbody>'
     '<replicate count="3" offset="0.1 0 0.2" euler="0 10 0" sep="_"><body name="c" childclass="f">'
     '<joint name="r"/><geom size="0.1"/></body></replicate>',
-).replace("</mujoco>", f'<keyframe><key qpos="{"0.1 " * 23}"/></keyframe></mujoco>')
+).replace(
+    "</mujoco>",
+    '<option><flag gravity="disable"/></option><actuator><motor joint="r" forcerange="-1 1"/></actuator>'
+    f'<keyframe><key qpos="{"0.1 " * 23}"/></keyframe></mujoco>',
+)
 _MJCF = (
     MJCF_ARM.encode(),
     HANDS.format(angle="degree", order="XYz").encode(),

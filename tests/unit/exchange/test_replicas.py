@@ -99,6 +99,15 @@ def test_rows_without_end_are_refused(text: str) -> None:
     assert [one.code for one in found.findings if one.is_error] == ["X981"]
 
 
+def test_names_that_rows_make_without_end_are_refused() -> None:
+    rows = f'<replicate count="1" sep="{"s" * 10_000}">' * 190
+    text = f'<mujoco><worldbody>{rows}<body name="b"/>{"</replicate>" * 190}</worldbody></mujoco>'
+    found = read_mjcf(SourceText("r.xml", text))
+    (error,) = [one for one in found.findings if one.is_error]
+    assert error.code == "X981"
+    assert "names become longer" in error.message
+
+
 def test_a_row_without_its_count_is_refused() -> None:
     found = read_mjcf(SourceText("r.xml", TEXT.format(outer=2).replace('count="11"', "")))
     assert {one.code for one in found.findings if one.is_error} == {"X982"}

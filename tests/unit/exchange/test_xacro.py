@@ -212,6 +212,24 @@ MEANT = {
            <xacro:m><any><u v="1"/></any><w/></xacro:m>""",
         [("t", {}), ("w", {}), ("u", {"v": "1"})],
     ),
+    "contents of outer blocks come before elements of the call": (
+        """<xacro:property name="b"><t v="1"/></xacro:property>
+           <xacro:macro name="m" params="*b"><xacro:insert_block name="b"/>
+             <xacro:macro name="n" params="*b"><xacro:insert_block name="b"/></xacro:macro>
+             <xacro:property name="b"><t v="2"/></xacro:property><xacro:n><u v="3"/></xacro:n></xacro:macro>
+           <xacro:m><u v="4"/></xacro:m>""",
+        [("t", {"v": "1"}), ("t", {"v": "2"})],
+    ),
+    "a property in quotation marks is a number where it is used": (
+        """<xacro:property name="q" value="'12'"/><t a="${q * 2}" b="${q == 12}"/>""",
+        [("t", {"a": "24", "b": "True"})],
+    ),
+    "infinite numbers of parameter files are numbers": (
+        """<xacro:property name="y" value="${load_yaml('inf.yaml')}"/>
+           <xacro:property name="q" value="${y.a}"/>
+           <t a="${y.a}" b="${min(y.a, 5)}" c="${y.a > 3}" d="${y.b > -7}" e="${q > 3}" f="${y.c}"/>""",
+        [("t", {"a": "inf", "b": "5", "c": "True", "d": "False", "e": "True", "f": "nan"})],
+    ),
     "elements of a call are expanded before they are passed": (
         """<xacro:macro name="m" params="*block"><xacro:insert_block name="block"/></xacro:macro>
            <xacro:m><xacro:if value="0"><u/></xacro:if><xacro:unless value="0"><w/></xacro:unless>
@@ -287,6 +305,7 @@ SPACE = """<robot xmlns:xacro="x"><xacro:property name="var" value="2"/>
 def test_constructs_mean_what_the_official_tool_makes_of_them(folder: Path, case: str) -> None:
     body, expected = MEANT[case]
     (folder / "space.xacro").write_text(SPACE)
+    (folder / "inf.yaml").write_text("a: .inf\nb: -.INF\nc: .nan\n")
     assert made(folder, body) == expected
 
 

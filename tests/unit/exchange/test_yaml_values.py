@@ -1,6 +1,6 @@
 """Parameter files of robots: the part of YAML that they use; the rest is refused."""
 
-from math import pi
+from math import inf, nan, pi
 from pathlib import Path
 
 import pytest
@@ -101,7 +101,8 @@ urls: {a: http://x/y, b: 'it''s'}
         ("y", "y"),
         ("TRUE", True),
         ("Off", False),
-        ("-.INF", "-inf"),
+        ("-.INF", -inf),
+        (".NaN", nan),
     ],
 )
 def test_plain_words_are_those_of_yaml_1_1(text: str, value: Value) -> None:

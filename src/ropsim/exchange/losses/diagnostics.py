@@ -21,9 +21,10 @@ XML_REFUSED = define(
     "a robot file is larger than is read, or defines entities",
     """
 Files of robots come from elsewhere, so what they can cost is bounded: their size, how deep elements
-stand in each other, how many there are, how long an attribute is, and how much macros and included files
-may bring. A document type (`<!DOCTYPE`) and entities of its own are refused: nobody needs them in a
-robot file, and a few lines of them can grow to gigabytes or name other files of the computer.
+stand in each other, how many there are, how many attributes one has and how long these are, and how much
+macros and included files may bring. A document type (`<!DOCTYPE`) and entities of its own are refused:
+nobody needs them in a robot file, and a few lines of them can grow to gigabytes or name other files of
+the computer.
 
 Take the document type out. A robot that is really larger than the bounds carries more than an arm; cut
 it.

@@ -16,6 +16,7 @@ from ropsim.exchange.mjcf.poses import pose_of
 from ropsim.exchange.mjcf.settings import Settings
 
 _ZERO = (0.0, 0.0, 0.0)
+_LONGEST = 1_000  # characters that rows add to a name
 _JOINTS = {"actuator": ("joint", "jointinparent"), "equality": ("joint1", "joint2")}
 """Attributes that name joints, by section."""
 
@@ -57,7 +58,7 @@ def with_replicas(root: Element, settings: Settings, notes: Notes) -> Element | 
     for name, keys in _JOINTS.items():
         sections += maker.section(root.all(name), keys)
     others = [one for one in root.children if one.name != "worldbody" and one.name not in _JOINTS]
-    return None if maker.count > MOST_ELEMENTS else replace(root, children=(*sections, *others))
+    return None if maker.refused else replace(root, children=(*sections, *others))
 
 
 def _named(root: Element) -> frozenset[str]:
@@ -84,7 +85,8 @@ class _Maker:
     def __init__(self, settings: Settings, notes: Notes, named: frozenset[str]) -> None:
         self._settings, self._notes, self._named = settings, notes, named
         self._copies: dict[str, list[tuple[str, tuple[int, ...]]]] = {}
-        self.count = 0
+        self._count = 0
+        self.refused = False
 
     def made(self, element: Element, place: _Place) -> list[Element]:
         """Return an element with the suffixes of a place to its names, or the frames that it stands for."""
@@ -128,11 +130,17 @@ class _Maker:
 
     def _has_room(self, element: Element) -> bool:
         """Count an element; beyond the greatest number none is made (noted once)."""
-        self.count += 1
-        if self.count == MOST_ELEMENTS + 1:
-            words = f"with what it replicates the file has more than {MOST_ELEMENTS} elements"
-            self._notes.add(XML_REFUSED, element.span, words, "cut it down to the robot")
-        return self.count <= MOST_ELEMENTS
+        self._count += 1
+        if self._count > MOST_ELEMENTS:
+            self._refuse(element, f"the file has more than {MOST_ELEMENTS} elements")
+        return not self.refused
+
+    def _refuse(self, element: Element, words: str) -> None:
+        """Make no more elements (noted once)."""
+        if not self.refused:
+            hint = "cut it down to the robot"
+            self._notes.add(XML_REFUSED, element.span, f"with what it replicates {words}", hint)
+        self.refused = True
 
     def _contents(self, element: Element, place: _Place) -> tuple[Element, ...]:
         found: list[Element] = []
@@ -147,12 +155,14 @@ class _Maker:
         offset = np.array(numbers_of(element, "offset", self._notes, _ZERO))
         angles = np.array(numbers_of(element, "euler", self._notes, _ZERO))
         kept = {key: text for key, text in element.attributes.items() if key == "childclass"}
+        if sum(map(len, place.suffixes)) + len(sep) > _LONGEST:
+            self._refuse(element, f"names become longer by more than {_LONGEST} characters")
         position, digits = np.zeros(3), len(str(count - 1))
         for number in range(count):
             if not self._has_room(element):
                 break
             pose = {"pos": numbers(position.tolist()), "euler": numbers((number * angles).tolist())}
-            children = self._contents(element, place.inside(f"{sep}{number:0{digits}}", self.count))
+            children = self._contents(element, place.inside(f"{sep}{number:0{digits}}", self._count))
             frame = replace(
                 element, name="frame", attributes=MappingProxyType(pose | kept), children=children
             )

@@ -61,7 +61,8 @@ class Calls(Texts, ABC):
         wanted = [parameter for parameter in macro.parameters if parameter.sort is not Sort.VALUE]
         for parameter, element in zip(wanted, elements, strict=False):
             whole = parameter.sort is Sort.ELEMENT
-            inner.give_block(parameter.name, (element,) if whole else element.children)
+            passed = (element,) if whole else element.children
+            inner.give_block(parameter.name, parameter.sort, passed)
         if len(elements) < len(wanted):
             missing = wanted[len(elements)].name
             raise XacroError(f"the call lacks the block `{missing}`", "put the element into the call")

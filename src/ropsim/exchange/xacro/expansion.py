@@ -12,6 +12,7 @@ from ropsim.exchange.losses.gathered import listed, shown
 from ropsim.exchange.losses.notes import Notes
 from ropsim.exchange.xacro.calls import Calls
 from ropsim.exchange.xacro.formulas.values import XacroError, literal, truth, unquoted
+from ropsim.exchange.xacro.macros import Sort
 from ropsim.exchange.xacro.scope import IncludedScope, Scope
 from ropsim.model import REQUEST
 
@@ -159,7 +160,7 @@ class _Expansion(Calls):
         where = others.get(one.attributes.get("scope", ""))
         text = one.attributes.get("value", one.attributes.get("default"))
         if text is None:
-            (where or scope).give_block(name, one.children)
+            (where or scope).give_block(name, Sort.CONTENT, one.children)
         elif where is None and self._flag(one, "lazy_eval", scope, default="true"):
             scope.define(name, unquoted(text))
         else:

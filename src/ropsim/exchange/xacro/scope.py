@@ -7,7 +7,7 @@ from ropsim.exchange.files.xml_tree import Element
 from ropsim.exchange.xacro.formulas.functions import CONSTANTS
 from ropsim.exchange.xacro.formulas.names import FileOfNames
 from ropsim.exchange.xacro.formulas.values import Value, XacroError
-from ropsim.exchange.xacro.macros import Macro
+from ropsim.exchange.xacro.macros import Macro, Sort
 
 MOST_ASKED = 30
 """Properties that are defined by each other in a row."""
@@ -37,7 +37,7 @@ class Scope:
         self._texts: dict[str, str] = {}
         self._values: dict[str, Value] = {}
         self._asked: list[str] = above._asked if above else []
-        self._blocks: dict[str, tuple[Element, ...]] = {}
+        self._blocks: dict[tuple[Sort, str], tuple[Element, ...]] = {}
         self._macros: dict[str, Macro] = {}
 
     @property
@@ -71,9 +71,9 @@ class Scope:
         self._texts.pop(name, None)
         self._values[name] = value
 
-    def give_block(self, name: str, elements: tuple[Element, ...]) -> None:
-        """Set the elements of a block."""
-        self._blocks[name] = elements
+    def give_block(self, name: str, sort: Sort, elements: tuple[Element, ...]) -> None:
+        """Set the elements of a block: a whole element, or the contents of one."""
+        self._blocks[sort, name] = elements
 
     def give_macro(self, macro: Macro) -> None:
         """Define a macro."""
@@ -90,14 +90,15 @@ class Scope:
         return name in CONSTANTS or any(name in one._texts or name in one._values for one in self._all())
 
     def block(self, name: str) -> tuple[Element, ...]:
-        """Return the elements of a block.
+        """Return the elements of a block; contents, also of outer scopes, come before whole elements.
 
         Raises:
             XacroError: there is none of that name.
         """
-        for scope in self._all():
-            if name in scope._blocks:
-                return scope._blocks[name]
+        for sort in (Sort.CONTENT, Sort.ELEMENT):
+            for scope in self._all():
+                if (sort, name) in scope._blocks:
+                    return scope._blocks[sort, name]
         raise XacroError(f"there is no block `{name[:60]}`", "a macro has it as *name in its params")
 
     def macro(self, name: str) -> "tuple[Macro, Scope]":

@@ -11,16 +11,12 @@ from types import MappingProxyType
 
 from ropsim.exchange.xacro.formulas.values import Key, bounded
 
-_WORDS: Mapping[str, bool | str | None] = MappingProxyType(
+_WORDS: Mapping[str, bool | float | None] = MappingProxyType(
     {word: None for word in ("~", "null", "Null", "NULL", "")}
     | {form: True for word in ("yes", "true", "on") for form in (word, word.capitalize(), word.upper())}
     | {form: False for word in ("no", "false", "off") for form in (word, word.capitalize(), word.upper())}
-    | {
-        f"{sign}.{word}": f"{sign}inf".lstrip("+")
-        for sign in ("", "+", "-")
-        for word in ("inf", "Inf", "INF")
-    }
-    | {word: "nan" for word in (".nan", ".NaN", ".NAN")}
+    | {f"{sign}.{word}": float(f"{sign}inf") for sign in ("", "+", "-") for word in ("inf", "Inf", "INF")}
+    | {word: float("nan") for word in (".nan", ".NaN", ".NAN")}
 )
 _WHOLE = re.compile(
     r"(?P<sign>[-+]?)(?:0b(?P<binary>[01_]+)|0x(?P<hexadecimal>[0-9a-fA-F_]+)|0(?P<octal>[0-7_]+)"
@@ -37,7 +33,7 @@ _LONGEST = 300  # digits: longer ones are no numbers of a robot
 
 
 def plain(text: str) -> Key:
-    """Return the value of a word without quotation marks; infinite numbers are texts.
+    """Return the value of a word without quotation marks.
 
     Raises:
         XacroError: it is a number that is too large.

@@ -14,7 +14,7 @@ from ropsim.exchange.xacro.formulas.functions import CONSTANTS
 from ropsim.exchange.xacro.formulas.names import FileOfNames
 from ropsim.exchange.xacro.formulas.parser import value_of
 from ropsim.exchange.xacro.formulas.tokens import text_in
-from ropsim.exchange.xacro.formulas.values import Key, Value, XacroError, bounded
+from ropsim.exchange.xacro.formulas.values import Key, Value, XacroError, short
 from ropsim.exchange.xacro.yaml_lines import Line, yaml_lines
 from ropsim.exchange.xacro.yaml_scalars import plain
 
@@ -41,7 +41,7 @@ def yaml_value(text: str) -> Value:
     value, rest = reader.block(0, lines[0][0], 0)
     if rest < len(lines):
         raise XacroError(f"a YAML file is indented unevenly at `{lines[rest][1][:40]}`", "use blanks alone")
-    return bounded(value)
+    return short(value)
 
 
 class _Reader:
@@ -91,7 +91,7 @@ class _Reader:
         elif deeper:
             value, place = self.block(place, lines[place][0], depth + 1)
         if anchor is not None:
-            self._anchors[anchor.group(1)] = bounded(value)
+            self._anchors[anchor.group(1)] = short(value)
         return value, place
 
     def _sequence(self, place: int, indent: int, depth: int) -> tuple[Value, int]:
@@ -115,7 +115,7 @@ class _Reader:
                 if place < len(lines) and inner > indent:
                     value, place = self.block(place, inner, depth + 1)
             if anchor is not None:
-                self._anchors[anchor.group(1)] = bounded(value)
+                self._anchors[anchor.group(1)] = short(value)
             found.append(value)
         return found, place
 

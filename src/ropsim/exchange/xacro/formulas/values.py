@@ -63,6 +63,15 @@ def bounded(value: Value) -> Value:
         value = float(value) if abs(value) < 10**300 else float("inf")
     if isinstance(value, float) and not isfinite(value):
         raise XacroError("a number is not finite", "allowed are finite numbers only")
+    return short(value)
+
+
+def short(value: Value) -> Value:
+    """Return a value that may be kept as long as it is not too long; a number may be infinite.
+
+    Raises:
+        XacroError: it is too long.
+    """
     if isinstance(value, str) and len(value) > LONGEST:
         raise XacroError(f"a text has more than {LONGEST} characters", "make it shorter")
     if isinstance(value, list | tuple | dict):
