@@ -101,6 +101,7 @@ from ropsim.model.findings.diagnostics import INDEFINITE_INERTIA as INDEFINITE_I
 from ropsim.model.findings.diagnostics import MASSLESS_LINK as MASSLESS_LINK
 from ropsim.model.findings.diagnostics import TRIANGLE_VIOLATED as TRIANGLE_VIOLATED
 from ropsim.model.findings.doubt_diagnostics import DOUBTS as DOUBTS
+from ropsim.model.findings.doubt_diagnostics import LIGHT_ARM as LIGHT_ARM
 from ropsim.model.findings.doubt_diagnostics import PLACEHOLDER_MASSES as PLACEHOLDER_MASSES
 from ropsim.model.findings.doubt_diagnostics import UNLIKELY_MASS as UNLIKELY_MASS
 from ropsim.model.findings.number_range import ModelValueError as ModelValueError

@@ -11,13 +11,13 @@ from ropsim.parts.fingers import parallel_fingers as parallel_fingers
 from ropsim.parts.fingers import shaped_fingers as shaped_fingers
 from ropsim.parts.mounting import mounted as mounted
 from ropsim.parts.part_kind import TCP as TCP
-from ropsim.parts.part_kind import AtMost as AtMost
 from ropsim.parts.part_kind import Fact as Fact
 from ropsim.parts.part_kind import LibraryPart as LibraryPart
 from ropsim.parts.part_kind import Measure as Measure
 from ropsim.parts.part_kind import Parameter as Parameter
 from ropsim.parts.part_kind import PartKind as PartKind
 from ropsim.parts.part_kind import Product as Product
+from ropsim.parts.part_kind import UpperBound as UpperBound
 from ropsim.parts.part_kind import Use as Use
 from ropsim.parts.part_kind import Values as Values
 from ropsim.parts.words import bound_words as bound_words

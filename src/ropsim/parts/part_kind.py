@@ -66,7 +66,7 @@ class Parameter:
 
 
 @frozen_dataclass
-class AtMost:
+class UpperBound:
     """A bound: a parameter must not exceed another one.
 
     Attributes:
@@ -169,7 +169,7 @@ class PartKind:
     parameters: tuple[Parameter, ...]
     make: Callable[[Values], LibraryPart]
     products: tuple[Product, ...] = ()
-    at_most: tuple[AtMost, ...] = ()
+    at_most: tuple[UpperBound, ...] = ()
 
     def product(self, name: str) -> Product | None:
         """Return the product of a name, None for an unknown one."""

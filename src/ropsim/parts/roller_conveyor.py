@@ -5,7 +5,7 @@ from math import ceil
 from ropsim.model import STEEL_GREY, Cylinder, Material, Shape
 from ropsim.parts.conveyor_frame import FRAME, FRAME_PARAMETERS, side_frames, supports
 from ropsim.parts.elements import length_of
-from ropsim.parts.part_kind import AtMost, LibraryPart, PartKind, Use, Values
+from ropsim.parts.part_kind import LibraryPart, PartKind, UpperBound, Use, Values
 from ropsim.spatial import ALONG_Y, translation
 
 _PARAMETERS = (
@@ -46,5 +46,5 @@ ROLLER_CONVEYOR = PartKind(
     "Amid the start of the conveyor, on the rollers; x along it. The floor is `height` below.",
     _PARAMETERS,
     _make,
-    at_most=(AtMost("roller_diameter", "pitch"),),
+    at_most=(UpperBound("roller_diameter", "pitch"),),
 )

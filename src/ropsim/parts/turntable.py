@@ -4,7 +4,7 @@ from math import sqrt
 
 from ropsim.model import DARK_GREY, STEEL_GREY, Material
 from ropsim.parts.elements import HOUSING, block, length_of, upright
-from ropsim.parts.part_kind import AtMost, LibraryPart, PartKind, Use, Values
+from ropsim.parts.part_kind import LibraryPart, PartKind, UpperBound, Use, Values
 
 ORANGE = "#e2702b"
 _FOOT = 0.02  # [m], thickness of the foot plate
@@ -47,5 +47,5 @@ TURNTABLE = PartKind(
     "In the middle of the plate, on its upper side; it turns about z. The floor is `height` below.",
     _PARAMETERS,
     _make,
-    at_most=(AtMost("drum_diameter", "diameter"),),
+    at_most=(UpperBound("drum_diameter", "diameter"),),
 )

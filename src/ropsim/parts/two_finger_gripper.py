@@ -13,7 +13,7 @@ from ropsim.parts.elements import (
 )
 from ropsim.parts.fingers import shaped_fingers
 from ropsim.parts.gripper_products import TWO_FINGER_PRODUCTS
-from ropsim.parts.part_kind import TCP, AtMost, LibraryPart, PartKind, Use, Values
+from ropsim.parts.part_kind import TCP, LibraryPart, PartKind, UpperBound, Use, Values
 from ropsim.parts.solid_mass import filled, with_com
 from ropsim.spatial import Pose, translation
 
@@ -121,5 +121,5 @@ TWO_FINGER_GRIPPER = PartKind(
     _PARAMETERS,
     _make,
     TWO_FINGER_PRODUCTS,
-    (AtMost("grip_depth", "finger_length"),),
+    (UpperBound("grip_depth", "finger_length"),),
 )

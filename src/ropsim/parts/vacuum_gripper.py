@@ -15,7 +15,7 @@ from ropsim.parts.elements import (
     upright,
 )
 from ropsim.parts.gripper_products import VACUUM_PRODUCTS
-from ropsim.parts.part_kind import TCP, AtMost, LibraryPart, Measure, Parameter, PartKind, Use, Values
+from ropsim.parts.part_kind import TCP, LibraryPart, Measure, Parameter, PartKind, UpperBound, Use, Values
 from ropsim.parts.solid_mass import filled, with_com
 from ropsim.spatial import translation
 
@@ -105,5 +105,5 @@ VACUUM_GRIPPER = PartKind(
     _PARAMETERS,
     _make,
     VACUUM_PRODUCTS,
-    (AtMost("cup_diameter", "pitch", of_several=("cups_x", "cups_y")),),
+    (UpperBound("cup_diameter", "pitch", of_several=("cups_x", "cups_y")),),
 )

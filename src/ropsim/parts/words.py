@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
-from ropsim.parts.part_kind import AtMost, Fact, Measure, Parameter, PartKind, Product, Values
+from ropsim.parts.part_kind import Fact, Measure, Parameter, PartKind, Product, UpperBound, Values
 
 UNITS: Mapping[Measure, tuple[float, str]] = MappingProxyType(
     {
@@ -42,7 +42,7 @@ def fact_words(fact: Fact) -> str:
     return f"{fact.name} {joint.join(f'{value:g}' for value in fact.values)} {fact.unit}"
 
 
-def bound_words(bound: AtMost) -> str:
+def bound_words(bound: UpperBound) -> str:
     """Return a bound, such as `drum_diameter` is at most `diameter`."""
     counts = " or ".join(f"`{name}`" for name in bound.of_several)
     return f"`{bound.small}` is at most `{bound.large}`" + (f" where {counts} is above 1" if counts else "")

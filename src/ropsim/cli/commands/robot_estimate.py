@@ -9,12 +9,10 @@ from pathlib import Path
 from ropsim.cli.terminal.named_robot import asked_robot, write_robot_file
 from ropsim.cli.terminal.output import Output
 from ropsim.core import Diagnostic
-from ropsim.model import ArmClass, RobotModel, audit
+from ropsim.model import LIGHT_ARM, ArmClass, RobotModel, audit
 from ropsim.records import diagnostic_document
 from ropsim.robotfile import ArmFacts, estimated_dynamics
 from ropsim.workbench import carried, written_robot
-
-_LIGHT_ARM = "X926"
 
 
 def _is_mended(finding: Diagnostic) -> bool:
@@ -55,4 +53,4 @@ def estimate(options: argparse.Namespace, output: Output) -> int:
 
 def _payload_doubts(robot: RobotModel) -> tuple[Diagnostic, ...]:
     """Return X926 where an arm is lighter than what it shall carry."""
-    return tuple(one for one in audit(robot) if one.code == _LIGHT_ARM)
+    return tuple(one for one in audit(robot) if one.code == LIGHT_ARM.code)

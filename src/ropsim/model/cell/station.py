@@ -57,6 +57,7 @@ class Station:
                 "controller.gains.": controller.gains,
                 "controller.path.": controller.path,
                 "controller.correction.": controller.correction,
+                "controller.look_ahead.": controller.look_ahead,
             },
         )
 

@@ -130,7 +130,7 @@ def test_a_robot_does_not_replace_the_file_that_it_is_read_from(
     words = ["robot", command, "arm.urdf", *(["--to"] if command == "import" else []), target]
     assert main([*words, *(["--payload", "2"] if command == "estimate" else [])]) == 2
     assert source.read_bytes() == content
-    assert "the robot is read from it" in capsys.readouterr().err
+    assert "is the file that is read, and is not replaced" in capsys.readouterr().err
 
 
 def test_a_robot_does_not_replace_a_file_that_its_file_includes(

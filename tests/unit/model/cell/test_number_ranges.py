@@ -32,6 +32,7 @@ from ropsim.model import (
     Frame,
     Gripper,
     IndexDrive,
+    LookAhead,
     Mechanism,
     ModelValueError,
     Part,
@@ -85,7 +86,8 @@ CELL = Cell(
 
 NOT_NUMBERS = (math.nan, math.inf, -math.inf)
 FROM_ZERO = {
-    ControllerModel: ("in_position", "settle_timeout", "settle_time", "look_ahead", "via_zone"),
+    ControllerModel: ("in_position", "settle_timeout", "settle_time", "via_zone"),
+    LookAhead: ("moves", "braking"),
     CorrectionLimits: ("size",),
     Gripper: ("open_time", "close_time", "capture"),
     BeltDrive: ("length",),
