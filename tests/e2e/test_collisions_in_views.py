@@ -119,7 +119,7 @@ def test_choosing_the_finding_goes_to_the_deepest_time_and_frames_the_place(
     assert tab.time() == pytest.approx(contact.time)
     ghost = tab.state()["ghost"]
     assert (ghost["line"], ghost["time"]) == (contact.line, pytest.approx(contact.time))
-    assert colliding(tab.page)["bodies"] == ["stand_right", "box"]
+    tab.page.wait_for_function("() => __ropsim.colliding().bodies.join() === 'stand_right,box'")
     comes_into_the_middle(tab.page, contact)
     strip = tab.page.get_by_role("region", name="Result of the run")
     strip.get_by_text(f"failed: collision on line {contact.line}: box – stand_right").wait_for()

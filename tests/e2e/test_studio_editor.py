@@ -480,6 +480,7 @@ def summed(fresh: StudioPage, words: str) -> None:
 
 def test_each_line_that_moves_tells_whether_its_result_is_that_of_the_text(fresh: StudioPage) -> None:
     shown = fresh.state()["shown"]
+    fresh.page.locator(".program-results").get_by_text(re.compile(r"^\d+ results valid$")).wait_for()
     count = results(fresh)["valid"]
     assert results(fresh) == {"valid": count, "pending": 0, "stale": 0}
     summed(fresh, f"{count} results valid")

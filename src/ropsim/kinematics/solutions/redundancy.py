@@ -14,7 +14,7 @@ from ropsim.kinematics.chain.arrays import ChainArrays
 from ropsim.kinematics.solutions.configurations import spread_between
 from ropsim.kinematics.solutions.polish import held_at, polished, polished_within
 from ropsim.kinematics.solutions.result import Free, FreeInterval, IkResult, IkStatus
-from ropsim.kinematics.solutions.self_motion import arcs_of, narrow_limits, within
+from ropsim.kinematics.solutions.self_motion import narrow_limits, within
 from ropsim.kinematics.solutions.solver import RedundantSolver
 from ropsim.spatial import Array, record
 
@@ -32,7 +32,7 @@ class Reachable:
     """Where the free coordinate of a pose may be, with the answers there.
 
     Attributes:
-        arcs: of answers within the limits [rad], see `arcs_of`, shape (s, n) each.
+        arcs: of answers within the limits [rad], see `Arc`, shape (s, n) each.
         values: of the free coordinate along each of them [rad], without jumps by whole turns.
         beyond: where there are no arcs, answers beyond the limits [rad], shape (m, n).
     """
@@ -56,8 +56,8 @@ def reachable(solver: RedundantSolver, chain: ChainArrays, X_BM: Array, limits: 
     starts = within(beyond, narrow, turning)
     if not len(starts):
         starts, beyond = _searched(chain, X_BM, beyond, limits)
-    arcs = arcs_of(chain, X_BM, starts, narrow, solver)
-    return Reachable(arcs, tuple(_values(solver, arc) for arc in arcs), beyond)
+    found = solver.arcs(X_BM, starts, limits)
+    return Reachable(tuple(rows for rows, _ in found), tuple(values for _, values in found), beyond)
 
 
 def intervals_of(found: Reachable) -> tuple[FreeInterval, ...]:
@@ -192,12 +192,6 @@ def _nearest_turn(rows: Array, limits: Array) -> Array:
     """Return joint coordinates (m, n) in the turns nearest to the middle between limits (3, n)."""
     turns = np.round((_middle(limits) - rows) / TURN)
     return np.asarray(rows + TURN * limits[2] * turns)
-
-
-def _values(solver: RedundantSolver, arc: Array) -> Array:
-    """Return the free coordinate along an arc (s, n) [rad], without jumps by whole turns, shape (s,)."""
-    values = solver.free_values(arc)
-    return values if solver.free_axis >= 0 else np.unwrap(values)
 
 
 def _principal(angle: float) -> float:

@@ -1,17 +1,19 @@
 """Arcs of joint coordinates within the limits along which a redundant arm keeps its pose."""
 
 import numpy as np
+import numpy.typing as npt
 
 from ropsim.kinematics.chain.arrays import ChainArrays
 from ropsim.kinematics.solutions.selection_kernel import LIMIT_SLACK
-from ropsim.kinematics.solutions.self_motion_kernel import CLOSED, WALLS, Work, mark_covered, trace_rows
-from ropsim.kinematics.solutions.solver import RedundantSolver
+from ropsim.kinematics.solutions.self_motion_kernel import CLOSED, Work, mark_covered, trace_rows
 from ropsim.spatial import Array
+
+Bools = npt.NDArray[np.bool_]
+Arc = tuple[Array, Array]
+"""Answers one small step from the other, (s, n), and the free coordinate there without whole turns, (s,)."""
 
 POINTS = 500
 """Largest number of points of an arc to one side of where it is begun."""
-JUMP = np.pi / 2.0
-"""The free coordinate changes less than this from point to point of one curve [rad]."""
 TURN = 2.0 * np.pi
 
 
@@ -26,8 +28,8 @@ def narrow_limits(limits: Array) -> Array:
     return np.array([np.where(free, -np.inf, lower), np.where(free, np.inf, upper)])
 
 
-def within(rows: Array, limits: Array, turning: Array) -> Array:
-    """Return the rows that have a turn within the limits, in that turn.
+def turned_within(rows: Array, limits: Array, turning: Array) -> tuple[Array, Bools]:
+    """Return rows in the turn that is within the limits, and for which rows there is one, shape (m,).
 
     Args:
         rows: joint coordinates [rad | m], shape (m, n).
@@ -39,61 +41,44 @@ def within(rows: Array, limits: Array, turning: Array) -> Array:
     turns = np.ceil((np.where(limited, lower, rows) - LIMIT_SLACK - rows) / TURN)
     turned = rows + TURN * np.where(limited, turns, 0.0)
     inside = ((turned >= lower - LIMIT_SLACK) & (turned <= upper + LIMIT_SLACK)).all(axis=1)
-    return np.asarray(np.clip(turned[inside], lower, upper))
+    return np.clip(turned, lower, upper), inside
 
 
-def arcs_of(
-    chain: ChainArrays, X_BM: Array, starts: Array, limits: Array, solver: RedundantSolver
-) -> tuple[Array, ...]:
+def within(rows: Array, limits: Array, turning: Array) -> Array:
+    """Return the rows that have a turn within the limits, in that turn; see `turned_within`."""
+    turned, inside = turned_within(rows, limits, turning)
+    return np.asarray(turned[inside])
+
+
+def arcs_of(chain: ChainArrays, X_BM: Array, starts: Array, limits: Array, free: int) -> tuple[Array, ...]:
     """Return the arcs of answers on which starts lie, each once.
-
-    Where two curves come so near to each other that the one is followed into the other, the free coordinate
-    jumps. There the arc ends, and starts with another free coordinate than that of an arc next to them begin
-    arcs of their own.
 
     Args:
         chain: of the arm.
         X_BM: the pose, shape (4, 4).
         starts: joint coordinates that reach it within the limits [rad | m], shape (m, n).
         limits: of `narrow_limits`, shape (2, n).
-        solver: of the arm.
+        free: axis that is the free coordinate, whose turning points become points of the arcs; -1 for none.
 
     Returns:
         Joint coordinates along each arc [rad | m], one small step from the other and without jumps by whole
         turns, shape (s, n); a closed one ends where it begins; one row for a pose that is reached in a point
         only.
     """
-    arcs, known = list[Array](), np.zeros(len(starts))
-    marked, wide = _marked(starts, solver), np.hstack((limits, [[-1.0, -1.0], [1.0, 1.0]]))
+    arcs, known = [], np.zeros(len(starts))
     for k, q in enumerate(starts):
         if not known[k]:
-            for arc in _split(_arc(chain, X_BM, q, limits, solver), solver):
-                arcs.append(arc)
-                mark_covered(_marked(arc, solver), marked, wide, known)
-            known[k] = 1.0
+            arcs.append(_arc(chain, X_BM, q, limits, free))
+            mark_covered(arcs[-1], starts, limits, known)
     return tuple(arcs)
 
 
-def _marked(rows: Array, solver: RedundantSolver) -> Array:
-    """Return joint coordinates (m, n) with cosine and sine of the free coordinate, shape (m, n + 2)."""
-    values = solver.free_values(rows)
-    return np.column_stack((rows, np.cos(values), np.sin(values)))
-
-
-def _split(arc: Array, solver: RedundantSolver) -> list[Array]:
-    """Return the parts of an arc (s, n) between jumps of the free coordinate."""
-    steps = np.diff(solver.free_values(arc))
-    steps -= TURN * np.round(steps / TURN)
-    return np.split(arc, np.flatnonzero(np.abs(steps) > JUMP) + 1)
-
-
-def _arc(chain: ChainArrays, X_BM: Array, q: Array, limits: Array, solver: RedundantSolver) -> Array:
+def _arc(chain: ChainArrays, X_BM: Array, q: Array, limits: Array, free: int) -> Array:
     """Return the arc through a point q (n,), shape (s, n)."""
     m, n = len(chain.slides), chain.n
     Q, ends = np.empty((2, POINTS, n)), np.array([[1.0, 0.0], [-1.0, 0.0]])
     Q[:, 0] = q
-    work = Work(np.empty((m + 1, 12)), np.zeros((n + 12, max(n, 6))), np.empty((7, m)), np.empty((8, n)))
-    work.ahead[WALLS:], free = solver.walls(q), solver.free_axis
+    work = Work(np.empty((m + 1, 12)), np.zeros((n + 12, max(n, 6))), np.empty((7, m)), np.empty((6, n)))
     for side in (0, 1):
         trace_rows(
             chain.flat, chain.spread, X_BM, limits, free, Q[side : side + 1], ends[side : side + 1], work

@@ -38,7 +38,7 @@ OUTSIDE = 1e-10
 COVERED = 0.02
 """A start this near to a known arc [rad | m] lies on it: its points are 0.15 apart at most."""
 
-TANGENT, NEXT, TRIAL, BOUNDS, BEGIN, WALLS = 0, 1, 2, 3, 5, 6
+TANGENT, NEXT, TRIAL, BOUNDS, BEGIN = 0, 1, 2, 3, 5
 """Rows of `Work.ahead`."""
 
 
@@ -49,8 +49,7 @@ class Work(NamedTuple):
         frames: of the steps, shape (m + 1, 12).
         room: of `descend`, shape (n + 12, max(n, 6)).
         lanes: of `descend`, shape (7, m).
-        ahead: tangent, next tangent, point tried, bounds, tangent at the beginning, and walls: coordinates
-            between which a curve stays that comes near to another one, shape (8, n).
+        ahead: tangent, next tangent, point tried, bounds, tangent at the beginning, shape (6, n).
     """
 
     frames: Array2
@@ -132,8 +131,7 @@ def _begin(chain: Array, spread: Array, X: Array, q: Array, sense: float, work: 
     """Write the tangent at q (n,), the longest one that coordinate directions are brought to."""
     n, ahead = q.shape[0], work.ahead
     for i in range(n):
-        ahead[BOUNDS, i], ahead[BOUNDS + 1, i] = ahead[WALLS, i], ahead[WALLS + 1, i]
-        ahead[TRIAL, i] = q[i]
+        ahead[BOUNDS, i], ahead[BOUNDS + 1, i], ahead[TRIAL, i] = -inf, inf, q[i]
     descend(chain, spread, X, ahead[TRIAL], ahead[BOUNDS : BOUNDS + 2], 0, work.frames, work.room, work.lanes)
     longest = 0.0
     for j in range(n):
@@ -289,7 +287,7 @@ def _stop(chain: Array, spread: Array, X: Array, limits: Array, q: Array, work: 
             ahead[TRIAL, i] = q[i] + share * (ahead[TRIAL, i] - q[i])
         ahead[TRIAL, joint] = bounds[0, joint] = bounds[1, joint] = limit
         descend(chain, spread, X, ahead[TRIAL], bounds, CORRECTIONS, work.frames, work.room, work.lanes)
-        bounds[0, joint], bounds[1, joint] = ahead[WALLS, joint], ahead[WALLS + 1, joint]
+        bounds[0, joint], bounds[1, joint] = -inf, inf
         if not entry_errors(work.frames[work.frames.shape[0] - 1], X) <= SLACK:
             return False
     return False

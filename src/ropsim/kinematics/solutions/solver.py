@@ -7,6 +7,7 @@ from typing import Protocol, runtime_checkable
 
 from ropsim.core import frozen_dataclass
 from ropsim.kinematics.solutions.result import Free, Posture, Shortfall
+from ropsim.kinematics.solutions.self_motion import Arc
 from ropsim.spatial import Array
 
 Solve = Callable[[Array], None]
@@ -111,12 +112,6 @@ class RedundantSolver(InverseSolver, Protocol):
     def free_values(self, Q: Array) -> Array:
         """Return the free coordinate at many joint coordinates (k, n) [rad], shape (k,)."""
 
-    def walls(self, q: Array) -> Array:
-        """Return lower and upper coordinates between which the curve of answers through q (n,) stays.
-
-        They keep it apart from another curve that comes near to it; infinite for other joints, shape (2, n).
-        """
-
     def anchors(self, X_BM: Array, limits: Array) -> Array:
         """Return answers to a pose from which every arc of them within the limits is found.
 
@@ -130,6 +125,15 @@ class RedundantSolver(InverseSolver, Protocol):
 
         Returns:
             Joint coordinates [rad], some within the limits and some not, shape (m, n).
+        """
+
+    def arcs(self, X_BM: Array, starts: Array, limits: Array) -> tuple[Arc, ...]:
+        """Return all arcs of answers to a pose within the limits.
+
+        Args:
+            X_BM: the pose, shape (4, 4).
+            starts: answers within the limits, on every arc [rad], shape (m, n).
+            limits: lower and upper limits [rad], and 1.0 for joints that turn, shape (3, n).
         """
 
 

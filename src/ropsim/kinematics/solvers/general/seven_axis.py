@@ -9,8 +9,9 @@ from ropsim.core import plural
 from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays
 from ropsim.kinematics.chain.forward import frames_of
 from ropsim.kinematics.solutions.configurations import configurations
-from ropsim.kinematics.solutions.polish import POSE_SLACK, polished, unbounded
+from ropsim.kinematics.solutions.polish import POSE_SLACK, polished
 from ropsim.kinematics.solutions.result import Free, IkStatus, Posture, Shortfall
+from ropsim.kinematics.solutions.self_motion import Arc, arcs_of, narrow_limits
 from ropsim.kinematics.solutions.solver import Method, Snap
 from ropsim.kinematics.solvers.axes import COUPLED
 from ropsim.kinematics.solvers.general.elimination import eliminations, steps_of, without_joint
@@ -82,10 +83,6 @@ class GeneralSevenAxisSolver:
         """Return the coordinate of the held joint in rows Q (k, 7), shape (k,)."""
         return Q[:, self.joint].copy()
 
-    def walls(self, q: Array) -> Array:
-        """Return infinite walls."""
-        return unbounded(len(q))
-
     def anchors(self, X_BM: Array, limits: Array) -> Array:
         """Return answers on every arc within the limits, shape (m, 7); see `RedundantSolver`.
 
@@ -104,6 +101,11 @@ class GeneralSevenAxisSolver:
         rough = [self._rough(X_BM, at) for at in values.tolist()]
         met = polished(self.chain, X_BM[np.newaxis], np.concatenate(rough)[np.newaxis])[0]
         return np.concatenate((*found, met[~np.isnan(met[:, 0])]))
+
+    def arcs(self, X_BM: Array, starts: Array, limits: Array) -> tuple[Arc, ...]:
+        """Return the arcs, followed from `starts`; see `RedundantSolver`."""
+        arcs = arcs_of(self.chain, X_BM, starts, narrow_limits(limits), self.joint)
+        return tuple((arc, self.free_values(arc)) for arc in arcs)
 
     def _at(self, X_BM: Array, joint: int, value: float, near: Array) -> Array:
         """Return the answers with a joint at a value [rad], shape (m, 7)."""

@@ -22,8 +22,9 @@ import numpy as np
 from ropsim.codegen import Compiled, bound
 from ropsim.core import plural
 from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays
-from ropsim.kinematics.solutions.polish import POSE_SLACK, held_at, polished, unbounded
+from ropsim.kinematics.solutions.polish import POSE_SLACK, held_at, polished
 from ropsim.kinematics.solutions.result import Free, IkStatus, Posture, Reach, Shortfall
+from ropsim.kinematics.solutions.self_motion import Arc, narrow_limits
 from ropsim.kinematics.solutions.solver import Method, Snap
 from ropsim.kinematics.solvers.axes import COUPLED, LENGTH_SLACK, NEAR_SINGULAR, ZeroFrames, distance, snap
 from ropsim.kinematics.solvers.offset import swivel_kernel as kernel
@@ -34,6 +35,7 @@ from ropsim.kinematics.solvers.offset.swivel_anchors import (
     straight_swivels,
     swivels_at,
 )
+from ropsim.kinematics.solvers.offset.swivel_arcs import swivel_arcs
 from ropsim.kinematics.solvers.offset.swivel_arm import (
     SwivelArm,
     directions_missed,
@@ -56,8 +58,6 @@ ANYWHERE = np.inf
 IN_LINE = 1e-3
 """Axes with a smaller sine of their angle are in line."""
 TURN = 2.0 * np.pi
-ELBOW = 3
-"""Joint that a pose determines, from 0."""
 WIDER = 3.0
 """The slacks of a snapped arm are this multiple of the error that its snap can make."""
 
@@ -127,18 +127,36 @@ class SwivelSolver:
         """Return the swivel angles of rows of joint coordinates (k, 7), shape (k,)."""
         return self.arm.swivels(Q)
 
-    def walls(self, q: Array) -> Array:
-        """Return walls at the stretched and the folded arm: the elbow stays bent to one side."""
-        walls, zero = unbounded(7), float(self.arm.zeros[ELBOW])
-        walls[:, ELBOW] = np.pi * (np.floor((q[ELBOW] + zero) / np.pi) + np.arange(2)) - zero
-        return walls
-
     def anchors(self, X_BM: Array, limits: Array) -> Array:
         """Return answers on every arc within the limits, shape (m, 7); see `RedundantSolver`.
 
         Where outer axes of shoulder or wrist are in line, a joint may be at its limit with no other swivel
         angle.
         """
+        T, near = X_BM[np.newaxis], np.zeros(7)
+        joint, value, swivel, apart = self._tried(X_BM, limits)
+        rows = self.branches_at(np.repeat(T, len(swivel), axis=0), near, swivel)
+        found = [rows[~np.isnan(rows[:, :, 0])]]
+        for j, at in sorted({(int(j), float(at)) for j, at in zip(joint, value, strict=True) if j >= 0}):
+            of_limit = (joint == j) & (value == at)
+            starts, most = rows[of_limit].reshape(-1, 7), np.repeat(apart[of_limit], 8)
+            near_it = np.abs(starts[:, j] - at - TURN * np.round((starts[:, j] - at) / TURN)) < most
+            found.append(held_at(self.chain, X_BM, starts[near_it & (most < ANYWHERE)], j, at))
+            in_line = np.abs(np.sin(starts[:, [1, 5]] + self.arm.zeros[[1, 5]])).min(axis=1) < IN_LINE
+            found.append(held_at(self.chain, X_BM, starts[in_line & (most == ANYWHERE)], j, at))
+        return np.concatenate(found)
+
+    def arcs(self, X_BM: Array, starts: Array, limits: Array) -> tuple[Arc, ...]:
+        """Return the arcs by the closed form; see `RedundantSolver`."""
+        cuts = self._tried(X_BM, narrow_limits(limits))[2]
+
+        def branches(swivels: Array) -> Array:
+            return self.branches_at(np.repeat(X_BM[np.newaxis], len(swivels), axis=0), np.zeros(7), swivels)
+
+        return swivel_arcs(branches, cuts, starts, self.free_values(starts), limits)
+
+    def _tried(self, X_BM: Array, limits: Array) -> Array:
+        """Return joints (-1: none), limits, swivel angles where they may meet, and how near, shape (4, m)."""
         T, near = X_BM[np.newaxis], np.zeros(7)
         samples = self.branches_at(np.repeat(T, 3, axis=0), near, THIRDS)
         tried = [(-1, 0.0, swivel, 0.0) for swivel in TRIED]
@@ -153,17 +171,7 @@ class SwivelSolver:
                         at_limit = swivels_at(turns, place, value + float(self.arm.zeros[joint]))
                         tried += [(joint, value, swivel, MEETING) for swivel in at_limit]
                         tried += [(joint, value, swivel, ANYWHERE) for swivel in straight if place != 1]
-        joint, value, swivel, apart = np.ascontiguousarray(np.array(tried).T)
-        rows = self.branches_at(np.repeat(T, len(swivel), axis=0), near, swivel)
-        found = [rows[~np.isnan(rows[:, :, 0])]]
-        for j, at in sorted({(int(j), float(at)) for j, at in zip(joint, value, strict=True) if j >= 0}):
-            of_limit = (joint == j) & (value == at)
-            starts, most = rows[of_limit].reshape(-1, 7), np.repeat(apart[of_limit], 8)
-            near_it = np.abs(starts[:, j] - at - TURN * np.round((starts[:, j] - at) / TURN)) < most
-            found.append(held_at(self.chain, X_BM, starts[near_it & (most < ANYWHERE)], j, at))
-            in_line = np.abs(np.sin(starts[:, [1, 5]] + self.arm.zeros[[1, 5]])).min(axis=1) < IN_LINE
-            found.append(held_at(self.chain, X_BM, starts[in_line & (most == ANYWHERE)], j, at))
-        return np.concatenate(found)
+        return np.ascontiguousarray(np.array(tried).T)
 
     def shortfall(self, X_BM: Array) -> Shortfall:
         """Return how far W would be from S."""
