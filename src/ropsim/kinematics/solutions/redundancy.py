@@ -22,6 +22,8 @@ NEAR = 1e-6
 """An answer this near to a branch [rad] is that one."""
 TOGETHER = 1e-9
 """Intervals that are this near to each other [rad] are one."""
+ALIKE = 9
+"""Decimals of distances and angles [rad]: rounding errors do not decide which is nearer."""
 SEARCHED = 64
 """Number of starts of the search within the limits where no anchor is within."""
 TURN = 2.0 * np.pi
@@ -104,7 +106,7 @@ def nearest_answer(
         _nearest_on(solver, chain, X_BM, one, values, here.value)
         for one, values in zip(found.arcs, found.values, strict=True)
     ]
-    for value, q in sorted(on_arcs, key=lambda one: abs(one[0] - here.value)):
+    for value, q in sorted(on_arcs, key=lambda one: _order(one[0], here.value)):
         nearest = _at(solver, asked, value, q, answer)
         if nearest.status is IkStatus.FOUND:
             return nearest
@@ -135,7 +137,8 @@ def _nearest_on(
     """Return the free coordinate on an arc nearest to a value [rad], in its turn, and the answer there."""
     values = values + TURN * np.round((here - 0.5 * (values.min() + values.max())) / TURN)
     crossed = np.flatnonzero((values[:-1] - here) * (values[1:] - here) < 0.0)
-    at = int(np.argmin(np.abs(values - here)))
+    off = values - here - TURN * np.round((values - here) / TURN)
+    at = min(range(len(off)), key=lambda k: _order(here + float(off[k]), here))
     if len(crossed):
         k = int(crossed[0])
         share = (here - values[k]) / (values[k + 1] - values[k])
@@ -152,7 +155,12 @@ def _nearest_on(
             row = int(np.argmin(aside))
             if aside[row] <= np.abs(arc[k + 1] - arc[k]).max():
                 return here, rows[row]
-    return float(values[at]), arc[at]
+    return here + float(off[at]), arc[at]
+
+
+def _order(value: float, here: float) -> tuple[float, float]:
+    """Return by what values come: by their distance from a value, of two alike the lower one [rad]."""
+    return round(abs(value - here), ALIKE), round(_principal(value), ALIKE)
 
 
 def _with(branches: Array, q: Array, turning: Array) -> Array:
