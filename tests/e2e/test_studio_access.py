@@ -36,7 +36,7 @@ def test_no_rule_of_accessibility_is_broken_in_any_panel(fresh: StudioPage) -> N
     page.command("Run a robot command")
     page.page.get_by_role("combobox", name="Command").fill("mvo pick_up")
     page.page.keyboard.press("Enter")
-    page.page.get_by_role("log").get_by_text("Task not defined").wait_for()
+    page.page.get_by_role("log").get_by_text("Task not defined").first.wait_for()
     found["command line"] = in_both_schemes(page.page, ".panel-command")
     page.panel("Plot").get_by_role("button", name="Channels").click()
     found["Plot"] = in_both_schemes(page.page, ".panel-plot")
