@@ -1,8 +1,7 @@
 """Free coordinate of a redundant arm at a pose: where it may be, and the answer nearest to its present value.
 
-The answers to a pose are curves in the space of the joints, of which limits leave arcs. The anchors of a
-`RedundantSolver` are points on all of them, from which they are followed to their ends; the values of the
-free coordinate on an arc are an interval.
+The answers to a pose are curves in the space of the joints, of which limits leave arcs. A `RedundantSolver`
+gives points on all of them, and the arcs; the values of the free coordinate on an arc are an interval.
 """
 
 from collections.abc import Callable

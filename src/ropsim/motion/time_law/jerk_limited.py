@@ -7,6 +7,7 @@ import numpy as np
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
 from ropsim.motion.time_law import time_law_kernel
 from ropsim.motion.time_law.interval import Interval
+from ropsim.motion.time_law.levelling_kernel import ROWS
 from ropsim.motion.time_law.longer_segments_kernel import plan_longer
 from ropsim.motion.time_law.piecewise_law import PiecewiseLaw
 from ropsim.motion.time_law.profile import ProfileError
@@ -73,7 +74,7 @@ def _work_arrays(p: int) -> tuple[Array, Array, Array, Array, Array]:
     """Return the work arrays and outputs of p path segments for `plan_segments`."""
     if p == 0:
         raise ProfileError(WRONG_PROFILE_REQUEST.at(None, "a path has no segments, allowed is one or more"))
-    tables, rises = np.empty((3, 23, p + 1)), np.empty((3, 8, _SEGMENTS * p))
+    tables, rises = np.empty((3, ROWS, p + 1)), np.empty((3, 8, _SEGMENTS * p))
     return tables, rises, np.empty((8, 2 * _SEGMENTS * p)), np.empty(p), np.empty(2)
 
 

@@ -19,8 +19,12 @@ NEWTON = 2e-8
 SIXTH, THIRD = 1.0 / 6.0, 1.0 / 3.0
 
 
-TO_REST = 17
+TO_REST = 9
 """Row of a table at which the fall begins from a path segment to the end of the path; see `write_fall`."""
+KEPT = 15
+"""Row of the path segment up to which the fall from a horizon is known; -1 for none. It stands behind it."""
+ROWS = 22
+"""Rows of a table."""
 
 
 class Fall(NamedTuple):
@@ -80,16 +84,16 @@ def stoppable_speed(table: Array, path_segment: int, s: float, ahead: int) -> fl
     if path_segment > known:
         return 0.0
     fall = from_border(0.0)
-    if table[10, ahead] >= path_segment:
-        known = int(table[10, ahead])
-        fall = _fall_of(table[11:, ahead])
+    if table[KEPT, ahead] >= path_segment:
+        known = int(table[KEPT, ahead])
+        fall = _fall_of(table[KEPT + 1 :, ahead])
     for k in range(known, path_segment, -1):
         fall = longer_fall(fall, table[0, k], table[2, k], table[3, k], table[4, k])
         if fall.length == 0.0 and fall.speed == table[TO_REST, k]:
             fall = _fall_of(table[TO_REST:, path_segment + 1])
             break
-    table[10, ahead] = path_segment
-    write_fall(fall, table[11:, ahead])
+    table[KEPT, ahead] = path_segment
+    write_fall(fall, table[KEPT + 1 :, ahead])
     length, most = table[0, path_segment] - s, table[1, path_segment]
     return longer_fall(fall, length, table[2, path_segment], table[3, path_segment], most).speed
 

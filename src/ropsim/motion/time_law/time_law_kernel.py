@@ -13,9 +13,9 @@ and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, sect
 
 In a table of a path stand, in a column for each path segment: length, speed, acceleration, jerk, bound of the
 speed at its start, horizon; then, where a rise starts at a path segment, its first segment, the one behind
-its last, and the speed to which its end can be levelled off; then a row that is free; for its horizon, a path
-segment and the fall behind it with which the motion stops in time, if already found; at last the fall from
-its start to the end of the path (see `Fall`). The last column is the end of the path. In a table of segments
+its last, and the speed to which its end can be levelled off; then the fall from its start to the end of the
+path (see `Fall`); at last, for its horizon, a path segment and the fall behind it with which the motion stops
+in time, if already found. The last column is the end of the path. In a table of segments
 stand path segment, path parameter, speed, acceleration, jerk, duration, path parameter at the end, and the
 speed to which its start can be levelled off.
 """
@@ -24,6 +24,7 @@ from math import inf
 
 from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.motion.time_law.levelling_kernel import (
+    KEPT,
     TO_REST,
     from_border,
     longer_fall,
@@ -47,7 +48,7 @@ def plan_segments(
     Args:
         bounds: of the path segments in columns: length, speed, acceleration, jerk, ratio, horizon (see
             `Interval`), of shape (p, 6).
-        tables: work: the tables forwards and backwards, units and lengths, shape (3, 23, p + 1).
+        tables: work: the tables forwards and backwards, units and lengths, shape (3, `ROWS`, p + 1).
         rises: work: the tables of rises, of falls, and segments backwards, of shape
             (3, 8, 8·p).
         rows: where the segments go: path segment, time at the start [s], path parameter, speed, acceleration,
@@ -140,7 +141,7 @@ def _look_ahead(table: Array) -> bool:
     p, limited = table.shape[1] - 1, False
     for i in range(p):
         limited = limited or table[5, i] < inf
-        table[10, i] = -1.0
+        table[KEPT, i] = -1.0
     if not limited:
         return False
     fall = from_border(0.0)
