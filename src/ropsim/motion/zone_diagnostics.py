@@ -49,6 +49,25 @@ skipped.
 """,
 )
 
+LINES_AS_CURVE = define(
+    "M571",
+    "lines-as-curve",
+    Severity.HINT,
+    "short lines one after the other are flown as smooth curves within their zones",
+    """
+Lines that are shorter than the way of speeding up and slowing down, with zones between them, are flown as one
+curve of the tool, as the compressors of controllers do it: were each corner rounded by itself, the tool would
+slow down at each. The message gives the number of lines, and how far the curve is from them at most, in
+distance and in orientation; it is never farther than the zones allow. Sharp corners keep their own zones, and
+so do points where no curve stays within the zone. Long lines stay lines. Triggers act where the curve passes
+their points.
+
+**How to mend it.** Nothing is wrong. Give smaller zones where the tool has to be nearer to the points, larger
+ones where it has to be quicker, and `fine` where it has to stop. Were the points made from a smooth curve, a
+`spline` through fewer of them says the same.
+""",
+)
+
 SLOWED = define(
     "M563",
     "slowed-by-joint",

@@ -79,7 +79,23 @@ class JointSpaceBlend:
 
 _overlap = maker(JointSpaceBlend)
 
-Blend = CartesianBlend | JointSpaceBlend
+
+@record
+class Passage:
+    """A point that a curve of moves passes, or a place at which it goes over into a line.
+
+    Attributes:
+        zone: distance of the TCP from the point within which the path may leave the lines [m].
+        leave: path parameter on the path before, in its unit.
+        enter: path parameter on the path behind, in its unit.
+    """
+
+    zone: float
+    leave: float
+    enter: float
+
+
+Blend = CartesianBlend | JointSpaceBlend | Passage
 
 
 def blend_between(chain: MotionChain, before: PlannedMove, behind: PlannedMove) -> Blend | Stop:

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 
-from ropsim.planning.blends.blend import Blend
+from ropsim.planning.blends.blend import Blend, Passage
 from ropsim.spatial import record
 
 _FURTHEST = 4
@@ -59,11 +59,18 @@ def quicker_stops(
             continue
         whole = sum(taken) > sum(alone[first:last])
         indices = [
-            number + 1 for number in range(last - first - 1) if whole or slow[number] or slow[number + 1]
+            number + 1
+            for number in range(last - first - 1)
+            if (whole or slow[number] or slow[number + 1]) and can_stop(blends[first + number])
         ]
         stops = _shortest([first, *(first + index for index in indices), last], sum(taken), times)
         found += (stop - 1 for stop in stops)
     return tuple(found)
+
+
+def can_stop(blend: Blend | None) -> bool:
+    """Return whether a blend may become a stop: within a curve there is no way through the point itself."""
+    return blend is not None and not isinstance(blend, Passage)
 
 
 def _runs(blends: Sequence[Blend | None]) -> Iterator[Span]:

@@ -1,6 +1,7 @@
 """How long moves of a sequence take from rest to rest: at least, by limits of the tool, and within all."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -29,7 +30,7 @@ def times_alone(
     for part in parts:
         for path_segment in part.path_segments:
             path = moves[path_segment.move_number].joints
-            if path_segment.blend is not None or path is None or not path_segment.is_even:
+            if path_segment.ends or path is None or not path_segment.is_even:
                 continue
             is_whole = len(part.path_segments) == 1 and path_segment.joints is path
             found[path_segment.move_number] = (
@@ -39,7 +40,7 @@ def times_alone(
         if own := own_law_of(move.joints):
             found[number] = own.duration
         elif number not in found:
-            found[number] = _timing([move], [], rules).duration
+            found[number] = _timing([replace(move, on_curve=None)], [], rules).duration
     return tuple(found[number] for number in range(len(moves)))
 
 

@@ -1,0 +1,1 @@
+"""Compression: short lines one after the other are flown as one curve."""
