@@ -50,7 +50,7 @@ skipped.
 )
 
 LINES_AS_CURVE = define(
-    "M571",
+    "M576",
     "lines-as-curve",
     Severity.HINT,
     "short lines one after the other are flown as smooth curves within their zones",

@@ -10,7 +10,7 @@ from ropsim.model import Payload, RobotModel
 from ropsim.motion import TIME_LAWS, Infeasible, JointBounds, Ticks, own_law_of
 from ropsim.planning.blends.blend import Blend, Passage, Stop
 from ropsim.planning.blends.curve_blends import blend_at
-from ropsim.planning.compression.move_curves import may_be_slower, with_curves
+from ropsim.planning.blends.move_curves import may_be_slower, with_curves
 from ropsim.planning.control_ticks import in_ticks, standing
 from ropsim.planning.joint_limits.arm_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
 from ropsim.planning.moves.move_check import check_duration

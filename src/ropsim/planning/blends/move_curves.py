@@ -10,7 +10,7 @@ import numpy as np
 from ropsim.core import Diagnostic
 from ropsim.motion import LINES_AS_CURVE, CurvePart, JointPath, JointPoints, StraightPart, compressed, end_of
 from ropsim.planning.blends.joined_ends import SAME_JOINTS, joined_to
-from ropsim.planning.compression.chains import Span, chains_of, longest_on_curve, points_of
+from ropsim.planning.blends.short_line_chains import Span, chains_of, longest_on_curve, points_of
 from ropsim.planning.moves.move_curve import MoveCurve, OnCurve
 from ropsim.planning.moves.path_following import follow_path
 from ropsim.planning.moves.planned_move import PlannedMove
@@ -85,7 +85,7 @@ def may_be_slower(moves: Sequence[PlannedMove]) -> bool:
 
 
 def _as_curves(move: PlannedMove, lines: int, curves: Sequence[MoveCurve]) -> Diagnostic:
-    """Return M571 for a chain: how many of its lines are flown as curves, and how far these are from them.
+    """Return M576 for a chain: how many of its lines are flown as curves, and how far these are from them.
 
     Args:
         move: the first one of the chain.

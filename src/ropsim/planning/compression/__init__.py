@@ -1,1 +1,0 @@
-"""Compression: short lines one after the other are flown as one curve."""
