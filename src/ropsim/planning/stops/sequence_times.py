@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from math import inf
 
 import numpy as np
 
@@ -21,6 +22,8 @@ def times_alone(
 ) -> tuple[float, ...]:
     """Return the times that moves take from rest to rest by the limits of their paths [s].
 
+    Amid a curve of moves there is no stop: infinity stands for the time of a move there.
+
     Args:
         moves: the moves.
         parts: of the moves with blends between them.
@@ -39,6 +42,8 @@ def times_alone(
     for number, move in enumerate(moves):
         if own := own_law_of(move.joints):
             found[number] = own.duration
+        elif move.on_curve and not (move.on_curve.is_first or move.on_curve.is_last):
+            found[number] = inf
         elif number not in found:
             found[number] = _timing([replace(move, on_curve=None)], [], rules).duration
     return tuple(found[number] for number in range(len(moves)))
