@@ -12,8 +12,9 @@ A zone lets the arm leave its path near a point and go on to the next one withou
 passed without one. Both need a next move that is known in time. The arm stops all the same where the program
 ends or has to wait for the arm: before a gripper, an output, an input that is read, a wait; where the path
 turns back on itself; where the arm is at the target of the move already, or the next move has the same one;
-where the controller may not look far enough ahead; and where the zone is so small that to slow down for its
-bend, or for what joints can do there, takes longer than to stop. The message says which of these it is.
+where the controller may not look far enough ahead; and, at corners of more than a right angle and next to
+moves in joint space, where the zone is so small that to slow down for its bend, or for what joints can do
+there, takes longer than to stop. The message says which of these it is.
 
 **How to mend it.** Give the move `fine` if the stop is meant. Otherwise set the output on the path
 (`at 5 mm before end do set valve on`), read the input earlier, shift the point, or give a larger zone.

@@ -1,5 +1,6 @@
 """Blends of a sequence: how the path goes from one move to the next where a zone is in force."""
 
+import math
 from enum import Enum
 
 import numpy as np
@@ -58,6 +59,13 @@ class CartesianBlend:
     tool: ToolPath
     joints: JointPath
     coordination: Coordination | None
+
+    @property
+    def turn(self) -> float:
+        """Return the angle between the directions in which it is entered and left, in [0, pi] [rad]."""
+        one, other = self.tool.tool(np.array((0.0, self.tool.length))).d1[:, :3]
+        sine = np.linalg.norm(np.cross(one, other))
+        return math.atan2(float(sine), float(one @ other))
 
 
 @record
