@@ -17,6 +17,7 @@ from ropsim.program.expressions import Binary as Binary
 from ropsim.program.expressions import CommandPose as CommandPose
 from ropsim.program.expressions import Component as Component
 from ropsim.program.expressions import Constant as Constant
+from ropsim.program.expressions import Element as Element
 from ropsim.program.expressions import Expression as Expression
 from ropsim.program.expressions import Home as Home
 from ropsim.program.expressions import InAxes as InAxes
@@ -55,6 +56,7 @@ from ropsim.program.lowering.shifting import jumps_in as jumps_in
 from ropsim.program.lowering.shifting import shifted as shifted
 from ropsim.program.lowering.usage import Usage as Usage
 from ropsim.program.lowering.usage import joint_usage as joint_usage
+from ropsim.program.move import Along as Along
 from ropsim.program.move import Guard as Guard
 from ropsim.program.move import Move as Move
 from ropsim.program.move import Settings as Settings
