@@ -206,7 +206,7 @@ _TABLE = """
 060B TRIG.DIST side,channel * - TRIG [value distance ->] output on the next move at a way of the TCP [m]
 060C TRIG.TIME side,channel * - TRIG [value time ->] output on the next move at a time [s]
 060D MOVE.CIRC.A -      PPR -  CIRC  [via to angle] arc of an angle [rad] on the circle through two poses
-060E MOVE.SPL.L list    PP  -  SPLINE [X_AB X_CD ->] smooth curve through X_AB·X_BC·X_CD of all poses X_BC of a list
+060E MOVE.SPL.L list    PP  -  SPLINE [X_AB X_CD ->] curve through X_AB·X_BC·X_CD of all poses X_BC of a list
 0701 IN        channel  -   *  IO    value of a channel
 0702 OUT       channel  *   -  IO    set an output channel
 0704 WAIT.T    -        R   -  -     stand still for a time [s]

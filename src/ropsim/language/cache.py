@@ -70,6 +70,6 @@ def _differ_by_lists(one: Environment, other: Environment) -> bool:
 
 
 def _inputs(environment: Environment) -> dict[Hashable, object]:
-    """Return an environment as inputs: lists apart, so that only what reads a list is computed again for it."""
+    """Return an environment as inputs, lists apart: only results that read them depend on them."""
     around = replace(environment, lists={}) if environment.lists else environment
     return {ENVIRONMENT: around, LISTS: environment.lists}

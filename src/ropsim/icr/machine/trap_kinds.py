@@ -81,8 +81,8 @@ BOUNDS = define(
     _ERROR,
     "trap BOUNDS: a list has no element of that number",
     """
-A program takes an element of a list by a number that it computes, and the list has none of that number. Elements
-are counted from 1. The message has the number and how many there are.
+A program takes an element of a list by a number that it computes, and the list has none of that number.
+Elements are counted from 1. The message has the number and how many there are.
 """,
     Category.UNFINISHED,
 )

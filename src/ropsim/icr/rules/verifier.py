@@ -14,7 +14,6 @@ from ropsim.icr.rules.flow import check_reachability, check_stack
 from ropsim.icr.rules.operands import MAX_AXES, check_constant, check_operands
 from ropsim.icr.types import WIDTHS, Constant, Type
 
-
 MAX_LISTED = 1_000_000
 """Poses that a list may have."""
 

@@ -19,7 +19,7 @@ from ropsim.spatial import PoseTuple
 
 
 class Declarations:
-    """Collects the records at the head: SOURCE, TASKTEXT, REQUIRE, VAR, IO, FRAMEDEF, TOOLDEF, LIST and ROW."""
+    """Collects the records at the head, SOURCE to ROW."""
 
     def __init__(self) -> None:
         self.name = ""
@@ -70,7 +70,13 @@ class Declarations:
         if len(rest) <= at or not is_name(rest[at]):
             return "a name is needed", ""
         name = rest[at].text
-        readers = {"VAR": self._var, "IO": self._io, "FRAMEDEF": self._frame, "TOOLDEF": self._tool, "LIST": self._list}
+        readers = {
+            "VAR": self._var,
+            "IO": self._io,
+            "FRAMEDEF": self._frame,
+            "TOOLDEF": self._tool,
+            "LIST": self._list,
+        }
         problem = {**readers, "TASKTEXT": self._library}[head](name, rest)
         key = f"{head} {name}"
         twice = f"`{key}`" if key in self.declared_at else ""

@@ -169,9 +169,9 @@ UNKNOWN_LIST = define(
     Severity.ERROR,
     "a list of points that the project does not have",
     """
-`lin along seam`, `spline along seam` and `mov along seam` lead through the points of the file `points/seam.csv`
-of the project. A list has the name of its file, which must be a name of the language: letters, digits and `_`. A
-list with an error in it cannot be used either; `ropsim check` shows where that is.
+`lin along seam`, `spline along seam` and `mov along seam` lead through the points of the file
+`points/seam.csv` of the project. A list has the name of its file: letters, digits and `_`. A list with an
+error in it cannot be used either; `ropsim check` shows where that is.
 """,
 )
 UNKNOWN_POINT = define(
@@ -180,8 +180,8 @@ UNKNOWN_POINT = define(
     Severity.ERROR,
     "a name that no point of a list has",
     """
-`rack["p7"]` is the point that has the name `p7` in the first column of `points/rack.csv`. Upper and lower case
-count. A point is also taken by its number, from 1: `rack[7]`.
+`rack["p7"]` is the point that has the name `p7` in the first column of `points/rack.csv`. Upper and lower
+case count. A point is also taken by its number, from 1: `rack[7]`.
 """,
 )
 UNKNOWN_PATTERN = define(

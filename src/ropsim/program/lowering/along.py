@@ -63,7 +63,7 @@ def curve_through(scope: Scope, along: Along) -> tuple[str, str]:
 
 
 def _held(scope: Scope, pose: sir.Expression) -> Emit | None:
-    """Return code that puts a pose on the stack, which is computed here; None for that which changes nothing."""
+    """Compute a pose here and return code that puts it on the stack; None for the identity."""
     if isinstance(pose, sir.Constant):
         if pose.value == _NOWHERE:
             return None

@@ -185,6 +185,8 @@ def _single(scope: Scope, move: Move, point: sir.Expression) -> None:
 
 def _curved(scope: Scope, move: Move) -> None:
     """Emit a path that leads through its points: an arc, a smooth curve."""
+    mnemonic: str
+    operands: list[str | int]
     if move.along is not None:
         mnemonic, *operands = curve_through(scope, move.along)
     else:

@@ -44,7 +44,10 @@ def _number(body: Body, listed: Listed, node: nodes.Node) -> Expression:
         number = listed.table.names.get(node.value)
         if number is None:
             message = f"`{listed.name}` has no point `{node.value}`"
-            hint = did_you_mean(node.value, listed.table.names) or "the names stand in the first column of the list"
+            hint = (
+                did_you_mean(node.value, listed.table.names)
+                or "the names stand in the first column of the list"
+            )
             body.fail(name_kinds.UNKNOWN_POINT, node, message, hint)
         return fold.whole(number)
     index = values.expect(body, node, INT, f"the number of a point of `{listed.name}`")

@@ -71,7 +71,9 @@ def motion(body: Body, node: syntax.Motion) -> Block:
     ends, corrected = guards.guard(body, node), trackings.tracking(body, node)
     store = _store(body, node.store) if node.store is not None else ""
     span = body.statement_span
-    move = _move(_KINDS[node.word], target, chosen, span, via, angle, triggers, ends, corrected, store, listed)
+    move = _move(
+        _KINDS[node.word], target, chosen, span, via, angle, triggers, ends, corrected, store, listed
+    )
     if not store:
         return (move,)
     attained = Variable(store, POSE.value)

@@ -34,7 +34,7 @@ _made = maker(Motion)
 
 
 def motion(cursor: Cursor, head: Token) -> Statement:
-    """Read `mov|movj|lin|movl [via point {, point} to | to] target {modifier}`, or `… along list {modifier}`."""
+    """Read `mov|movj|lin|movl [via point {, point} to | to] target {modifier}`, or such `along list`."""
     via: tuple[Node, ...] = ()
     if cursor.word == VIA:
         cursor.advance()
@@ -88,7 +88,9 @@ def _along(cursor: Cursor, head: Token) -> Motion:
         inner = inner.operand if isinstance(inner, Rebase | External) else inner.left
     if not isinstance(inner, Name):
         message = "expected the name of a list of points behind `along`"
-        cursor.fault(kinds.UNEXPECTED, start.start, start.end, message, "lists are the files `points/NAME.csv`")
+        cursor.fault(
+            kinds.UNEXPECTED, start.start, start.end, message, "lists are the files `points/NAME.csv`"
+        )
     return replace(found, along=inner)
 
 
