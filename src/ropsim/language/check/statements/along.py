@@ -1,5 +1,8 @@
 """Motions along a list of points: where the list lies, and which of its points are one."""
 
+from itertools import pairwise
+from math import dist
+
 from ropsim.language.check.expressions import convert, values
 from ropsim.language.check.scope import fold
 from ropsim.language.check.scope.body import Body, RejectedError
@@ -9,7 +12,18 @@ from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.nodes import Name
-from ropsim.program import Along, Binary, Element, Expression, InAxes, InFrame, InPosture, MakeExternal
+from ropsim.program import (
+    IMPOSSIBLE_PATH,
+    SAME_PLACE,
+    Along,
+    Binary,
+    Element,
+    Expression,
+    InAxes,
+    InFrame,
+    InPosture,
+    MakeExternal,
+)
 
 _Sides = tuple[Expression, Expression]
 
@@ -40,6 +54,8 @@ def along(body: Body, node: syntax.Motion, name: Name) -> tuple[Along, Expressio
     if node.word == "spline" and count < 2:
         message = f"a curve leads through two points or more, `{name.text}` has {count}"
         body.fail(kinds.OUT_OF_RANGE, name, message, "write `lin` to reach one point")
+    if node.word == "spline":
+        _refuse_coincident(body, name, found)
     with body.each_of(found):
         value = values.check(body, node.target)
     target = convert.to(body, value, POSE, node.target, f"the points of `{node.word} along`")
@@ -51,6 +67,23 @@ def along(body: Body, node: syntax.Motion, name: Name) -> tuple[Along, Expressio
     before, behind = sides
     last = fold.compose(fold.compose(before, fold.pose(found.table.points[-1])), behind)
     return Along(found.name, count, before, behind), last
+
+
+def _refuse_coincident(body: Body, name: Name, found: Listed) -> None:
+    """Report the first two points of a list that follow each other at one place: no curve leads on there.
+
+    Raises:
+        RejectedError: there are such.
+    """
+    table = found.table
+    for number, (one, other) in enumerate(pairwise(table.points), 1):
+        if dist(one[:3], other[:3]) <= SAME_PLACE:
+            message = f"the points {number} and {number + 1} of `{found.name}` are at one place"
+            hint = "leave one of them out of the list"
+            if table.places:
+                lines = table.places[number - 1 : number + 1]
+                hint = f"leave one of them out: lines {lines[0]} and {lines[1]} of `{table.source}`"
+            body.fail(IMPOSSIBLE_PATH, name, message, hint)
 
 
 def _sides(target: Expression) -> _Sides | None:
