@@ -31,7 +31,7 @@ MANUAL_CELL = replace(
     lists={"seam": SEAM},
     signals={**CELL.signals, "glue": SignalUse("glue", is_input=False, type=ValueType.BOOL)},
 )
-"""The small cell of the tests, with an output, a list of points, and a robot with a track and a positioner."""
+"""The small cell of the tests, with an output and a list, and a robot with a track and a positioner."""
 
 ROBOT = one_station("manual", robots.load("puma560"), robots.default_controller("puma560"))
 """The arm that `here` and `store` need."""
