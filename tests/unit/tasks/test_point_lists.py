@@ -1,5 +1,6 @@
 """Lists of points in CSV texts: forms that spreadsheets write, and a finding at the cell that is wrong."""
 
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -162,7 +163,7 @@ def test_a_list_has_a_hundred_thousand_points_at_most() -> None:
 
 def test_reading_takes_work_in_proportion_to_the_list() -> None:
     texts = [SourceText("l", HEAD + "".join(f'"p{k}",{k},2,3\n' for k in range(n))) for n in (200, 400)]
-    small, large = (steps_of(lambda text=text: points_of(text, "l")) for text in texts)
+    small, large = (steps_of(partial(points_of, text, "l")) for text in texts)
     assert large < 2.2 * small
 
 

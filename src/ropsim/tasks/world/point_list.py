@@ -2,18 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import field
-from pathlib import Path
+from math import atan2, radians
 
-from ropsim.core import (
-    Diagnostic,
-    LeadsOutError,
-    SourceText,
-    did_you_mean,
-    frozen_dataclass,
-    outside_project,
-    place_inside,
-    read_bytes,
-)
+from ropsim.core import Diagnostic, SourceText, did_you_mean, frozen_dataclass
+from ropsim.language import PointTable
+from ropsim.spatial import PoseTuple, approach_orientation, quaternion
 from ropsim.tasks.findings.text_diagnostics import POINT_LIST, POINT_TWICE
 from ropsim.tasks.terms.expression_text import short_text
 from ropsim.tasks.terms.point import Coordinates, Numbers, typed_numbers, typed_point
@@ -36,13 +29,12 @@ SCALES: Mapping[str, float] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
 """Millimetres per unit of a length."""
 DEGREES: Mapping[str, float] = {"deg": 1.0, "rad": 57.29577951308232}
 """Degrees per unit of an angle."""
-MOST_POINTS, MOST_BYTES, MOST_FINDINGS = 100_000, 20_000_000, 20
+MOST_POINTS, MOST_FINDINGS = 100_000, 20
 LONGEST_NAME = 200
 FARTHEST = 1e9
 """Largest number of a point [mm, deg]."""
 _QUANTITIES = ("x", "y", "z", "pitch", "roll", YAW[0])
-_HINT = f"the first line is `{','.join(COLUMNS)}`, the second its units: `{','.join(UNITS)}`; or also yaw"
-_ENCODINGS = ((b"\xef\xbb\xbf", "utf-8-sig"), (b"\xff\xfe", "utf-16"), (b"\xfe\xff", "utf-16"))
+FORM = f"the first line is `{','.join(COLUMNS)}`, the second its units: `{','.join(UNITS)}`; or also yaw"
 _SAYS_SEPARATOR = "sep="
 """Begins a line above the titles in which spreadsheets say their separator."""
 
@@ -60,67 +52,8 @@ class PointList:
 
     name: str
     points: tuple[tuple[str, Coordinates], ...]
-    lines: tuple[int, ...] = ()
-    numbers: Mapping[str, int] = field(default_factory=dict)
-
-
-def read_point_list(path: Path) -> tuple[PointList | None, tuple[Diagnostic, ...]]:
-    """Return the list of a file, None where it cannot be read at all; lines that are wrong are left out."""
-    text, findings = _text_of(path, path.as_posix())
-    return points_of(text, path.stem) if text is not None else (None, findings)
-
-
-def point_text_of(folder: Path, path: Path, label: str) -> tuple[SourceText | None, tuple[Diagnostic, ...]]:
-    """Return the text of a list of a project under a name, None where it is none.
-
-    It is in UTF-8, in UTF-16 with its mark, or in Windows-1252 as spreadsheets write it.
-    """
-    try:
-        place_inside(folder, path.relative_to(folder))
-    except LeadsOutError as error:
-        return None, (outside_project(label, error),)
-    return _text_of(path, label)
-
-
-def _text_of(path: Path, label: str) -> tuple[SourceText | None, tuple[Diagnostic, ...]]:
-    try:
-        size = path.stat().st_size
-        if size > MOST_BYTES:
-            message = f"`{label}` has {size} bytes, allowed are {MOST_BYTES}"
-            return None, (POINT_LIST.at(None, message, hint="cut it into several lists"),)
-        content = read_bytes(path, MOST_BYTES)
-    except OSError as error:
-        return None, (POINT_LIST.at(None, f"`{label}` cannot be read: {error}", hint=_HINT),)
-    return SourceText(label, decoded(content)), ()
-
-
-def decoded(content: bytes) -> str:
-    """Return the text of some bytes; every content has one, and wrong characters are found in their cells."""
-    for mark, encoding in _ENCODINGS:
-        if content.startswith(mark):
-            return content.decode(encoding, "replace")
-    try:
-        return content.decode("utf-8")
-    except UnicodeDecodeError:
-        return content.decode("cp1252", "replace")
-
-
-def read_point_lists(folder: Path) -> tuple[Mapping[str, PointList], tuple[Diagnostic, ...]]:
-    """Return the lists in `points/*.csv` of a project by name, and their errors."""
-    lists: dict[str, PointList] = {}
-    findings: list[Diagnostic] = []
-    for path in point_files(folder):
-        text, wrong = point_text_of(folder, path, path.as_posix())
-        found, more = points_of(text, path.stem) if text is not None else (None, ())
-        findings += (*wrong, *more)
-        if found is not None:
-            lists[found.name] = found
-    return lists, tuple(findings)
-
-
-def point_files(folder: Path) -> tuple[Path, ...]:
-    """Return the files of a project that are lists of points, by name."""
-    return tuple(sorted(one for one in (folder / "points").glob("*.csv") if one.is_file()))
+    lines: tuple[int, ...] = field(default=(), compare=False)
+    numbers: Mapping[str, int] = field(default_factory=dict, compare=False)
 
 
 def points_of(text: SourceText, name: str) -> tuple[PointList | None, tuple[Diagnostic, ...]]:
@@ -198,17 +131,17 @@ class _Reader:
                 self._report(number, error)
         if self._wrong > MOST_FINDINGS:
             message = f"{self._wrong - MOST_FINDINGS} further lines are wrong"
-            self.findings.append(POINT_LIST.at(self.text.span(columns.first), message, hint=_HINT))
+            self.findings.append(POINT_LIST.at(self.text.span(columns.first), message, hint=FORM))
 
     def _row(self, number: int, line: str, columns: _Columns) -> None:
         if len(line) > LONGEST:
-            raise CellError(-1, f"the line has {len(line)} characters, allowed are {LONGEST}", _HINT)
+            raise CellError(-1, f"the line has {len(line)} characters, allowed are {LONGEST}", FORM)
         cells = cells_of(line, self.separator)
         if not any(cells):
             return
         if len(cells) > columns.count and any(cells[columns.count :]):
             message = f"{len(cells)} cells found, the list has {columns.count} columns"
-            hint = "with decimal commas separate the cells by `;`" if self.separator.sign == "," else _HINT
+            hint = "with decimal commas separate the cells by `;`" if self.separator.sign == "," else FORM
             raise CellError(columns.count, message, hint)
         name = cells[columns.name] if columns.name >= 0 else ""
         if len(name) > LONGEST_NAME:
@@ -262,7 +195,7 @@ class _Reader:
             word = cell.lower()
             allowed = ("name", *_QUANTITIES)
             if word not in allowed:
-                hint = did_you_mean(word[:40], allowed) or _HINT
+                hint = did_you_mean(word[:40], allowed) or FORM
                 message = f"`{shown(cell)}` is no column of a list, which are {', '.join(allowed)}"
                 raise CellError(index, message, hint)
             if word in heads:
@@ -272,7 +205,7 @@ class _Reader:
         if ("pitch" in heads) != ("roll" in heads) or (YAW[0] in heads and "pitch" not in heads):
             missing += [word for word in ("pitch", "roll") if word not in heads]
         if missing:
-            raise CellError(-1, f"the columns {', '.join(missing)} are missing", _HINT)
+            raise CellError(-1, f"the columns {', '.join(missing)} are missing", FORM)
         return heads
 
     def _scales(self, cells: Sequence[str], heads: Mapping[str, int]) -> dict[str, float]:
@@ -291,7 +224,7 @@ class _Reader:
                 message = f"`{shown(unit)}` is no unit of `{word}`, allowed are {units}"
                 if not unit or _is_number(unit, self.separator):
                     message = f"the second line gives no unit of `{word}`, allowed are {units}"
-                raise CellError(index, message, _HINT)
+                raise CellError(index, message, FORM)
             found[word] = allowed[unit]
         return found
 
@@ -304,7 +237,7 @@ class _Reader:
         if self._counts():
             place = place_of(self.text, number, error.index, self.separator)
             data = {"line": number, "cell": error.index + 1} if error.index >= 0 else {"line": number}
-            self.findings.append(POINT_LIST.at(place, error.message, hint=error.hint or _HINT, data=data))
+            self.findings.append(POINT_LIST.at(place, error.message, hint=error.hint or FORM, data=data))
 
 
 def points_text(points: Sequence[tuple[str, Coordinates]]) -> str:
@@ -329,3 +262,30 @@ def _is_number(cell: str, separator: Separator) -> bool:
     except CellError:
         return False
     return True
+
+
+_DOWN = (0.0, 1.0, 0.0, 0.0)
+"""Rx(180°): the tool points straight down in its frame, as for three plain numbers in a program."""
+
+
+def point_table(listed: PointList, source: str = "") -> PointTable | None:
+    """Return a list as programs use it, None for an empty one.
+
+    Poses are those of the same numbers in a program: X Y Z, X Y Z Pitch Roll or X Y Z with pitch, roll and
+    yaw of the approach direction. The azimuth of a point with a pitch and no yaw counts in the frame of the
+    list.
+    """
+    if not listed.points:
+        return None
+    poses = tuple([_pose(point) for _, point in listed.points])
+    return PointTable(poses, listed.numbers, source, listed.lines)
+
+
+def _pose(point: Coordinates) -> PoseTuple:
+    numbers = typed_numbers(point)
+    x, y, z = (one / 1000.0 for one in numbers[:3])
+    if len(numbers) == 3:
+        return (x, y, z, *_DOWN)
+    pitch, roll = radians(numbers[3]), radians(numbers[4])
+    yaw = radians(numbers[5]) if len(numbers) == 6 else atan2(y, x)
+    return (x, y, z, *quaternion.unit(approach_orientation(pitch, roll, yaw)))

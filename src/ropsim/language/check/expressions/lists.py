@@ -1,8 +1,7 @@
 """Points of a list by number or name: `seam[3]`, `rack["p7"]`."""
 
 from ropsim.core import did_you_mean
-from ropsim.language.check.expressions import values
-from ropsim.language.check.expressions.elements import element
+from ropsim.language.check.expressions import frames, values
 from ropsim.language.check.scope import fold
 from ropsim.language.check.scope.body import Body
 from ropsim.language.check.scope.types import INT, Value
@@ -23,7 +22,7 @@ def indexed(body: Body, node: nodes.Index) -> Value:
     """
     symbol = body.find(node.operand.text) if isinstance(node.operand, nodes.Name) else None
     if isinstance(symbol, Listed):
-        return element(body, symbol, _number(body, symbol, node.index))
+        return frames.listed_point(body, symbol, _number(body, symbol, node.index))
     if symbol is None or isinstance(symbol, Poison):
         values.check(body, node.operand)  # reports a name that is not known
     body.fail(

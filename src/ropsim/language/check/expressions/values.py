@@ -2,7 +2,7 @@
 
 from ropsim.core import maker
 from ropsim.language.check.doubts import numerals
-from ropsim.language.check.expressions import convert, elements, other_values
+from ropsim.language.check.expressions import convert, frames, other_values
 from ropsim.language.check.scope.body import Body, RejectedError
 from ropsim.language.check.scope.types import (
     ANGLE,
@@ -105,7 +105,7 @@ def name(body: Body, node: nodes.Name) -> Value:
             )
         case Listed():
             if symbol is body.each:
-                return elements.element(body, symbol, elements.EACH)
+                return frames.listed_point(body, symbol, frames.EACH)
             body.fail(
                 kinds.WRONG_TYPE,
                 node,

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from ropsim.language.check.expressions import convert, elements, poses, values
+from ropsim.language.check.expressions import convert, frames, poses, values
 from ropsim.language.check.scope import fold, hidden
 from ropsim.language.check.scope.body import Body, Loop, RejectedError
 from ropsim.language.check.scope.types import BOOL, INT, POSE, AnyType, Type, article, known
@@ -136,7 +136,7 @@ def _over_list(body: Body, node: syntax.ForEach, listed: Listed, walk: Walk) -> 
     variable = replace(body.loop_variable(node.name.text, POSE), is_fixed=True)
     number = body.hidden(f"{variable.name}.number", INT)
     span = body.statement_span
-    point = elements.element(body, listed, VariableExpression(number.name, _INT))
+    point = frames.listed_point(body, listed, VariableExpression(number.name, _INT))
     with body.with_name(node.name.text, variable), body.in_loop(Loop("", variable.name)):
         inner = walk()
     assign = Assign(variable.name, poses.kept(point, point.expression), span)
