@@ -35,8 +35,8 @@ class PointTable:
     """A list of points of the project.
 
     Attributes:
-        points: poses in the frame in which the list is read, in their order [m, unit quaternion w x y z]; one
-            at least.
+        points: poses in the frame in which the list is read, in their order [m, unit quaternion w x y z];
+            none where a line of the list is wrong, so that no program can use it.
         names: number of each point that has a name, from 1.
         source: name of its text.
         places: lines in which the points stand, in their order; empty if they have none.

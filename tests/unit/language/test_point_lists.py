@@ -152,6 +152,17 @@ def test_a_curve_does_not_pass_a_point_twice_in_turn() -> None:
     assert codes(f"{HEAD}lin along seam\n", with_lists(seam=twice)) == []
 
 
+def test_a_list_whose_text_is_wrong_has_one_finding() -> None:
+    text = (
+        f"{HEAD}mov seam[1]\nlin along seam\nspline along seam\nfor each p in seam\n  lin p\nendf\nlin seam\n"
+    )
+    found = only(text, with_lists(seam=PointTable((), source="points/seam.csv")))
+    assert found.code == "N226"
+    assert found.message == "the list of points `seam` cannot be used: its text is wrong"
+    assert found.hint == "mend `points/seam.csv`"
+    assert len(found.secondary) == 4
+
+
 def test_a_curve_needs_two_points() -> None:
     assert codes(f"{HEAD}spline along seam\n", with_lists(seam=table(1))) == ["T306"]
 

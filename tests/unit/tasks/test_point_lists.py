@@ -171,7 +171,6 @@ def test_poses_are_those_of_the_same_numbers_in_a_program() -> None:
     titles = "x,y,z,pitch,roll,yaw\nmm,mm,mm,deg,deg,deg\n"
     listed = read(f"{titles}100,-200,300,80,10,20\n100,-200,300,30,5,\n100,-200,300,,,\n")
     table = point_table(listed)
-    assert table is not None
     written = ("(100, -200, 300; pitch 80, roll 10, yaw 20)", "(100, -200, 300, 30, 5)", "(100, -200, 300)")
     text = "program t\nunits mm, deg, s\n" + "".join(
         f"lin {one}\nlin l[{k}]\n" for k, one in enumerate(written, 1)
@@ -193,5 +192,5 @@ def test_a_list_that_is_written_is_read_back() -> None:
     assert read(points_text(points)).points == points
 
 
-def test_a_list_without_points_is_none_for_programs() -> None:
-    assert point_table(read(HEAD)) is None
+def test_a_list_without_points_is_told() -> None:
+    assert [one.message for one in wrong(HEAD)] == ["the list has no points"]

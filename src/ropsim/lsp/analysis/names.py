@@ -85,6 +85,8 @@ def of_text(uses: Uses, line: int, checked: CheckedText) -> Iterator[Known]:
 
 def list_words(table: PointTable) -> str:
     """Return how many points a list has, how long the way through them is, and where the first one is."""
+    if not table.points:
+        return "its text is wrong"
     way = sum(math.dist(one[:3], other[:3]) for one, other in pairwise(table.points))
     count, first = plural(len(table.points), "point"), pose_words(Pose.from_tuple(table.points[0]))
     return f"{count}, {_shown(way * 1000.0, 1)} mm from one to the next; the first is {first}"

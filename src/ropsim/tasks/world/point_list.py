@@ -63,6 +63,9 @@ def points_of(text: SourceText, name: str) -> tuple[PointList | None, tuple[Diag
     if columns is None:
         return None, tuple(reader.findings)
     reader.rows(columns)
+    if not reader.findings and not reader.points:
+        findings = POINT_LIST.at(text.span(columns.first), "the list has no points", hint=FORM)
+        return PointList(name, ()), (findings,)
     return PointList(name, tuple(reader.points), tuple(reader.lines), reader.numbers), tuple(reader.findings)
 
 
@@ -268,15 +271,13 @@ _DOWN = (0.0, 1.0, 0.0, 0.0)
 """Rx(180°): the tool points straight down in its frame, as for three plain numbers in a program."""
 
 
-def point_table(listed: PointList, source: str = "") -> PointTable | None:
-    """Return a list as programs use it, None for an empty one.
+def point_table(listed: PointList, source: str = "") -> PointTable:
+    """Return a list as programs use it.
 
     Poses are those of the same numbers in a program: X Y Z, X Y Z Pitch Roll or X Y Z with pitch, roll and
     yaw of the approach direction. The azimuth of a point with a pitch and no yaw counts in the frame of the
     list.
     """
-    if not listed.points:
-        return None
     poses = tuple([_pose(point) for _, point in listed.points])
     return PointTable(poses, listed.numbers, source, listed.lines)
 

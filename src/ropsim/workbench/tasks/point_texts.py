@@ -29,7 +29,7 @@ NO_POINTS = PointTexts({})
 
 @frozen_dataclass
 class ReadTable:
-    """Result of reading a list: its points, None if a line of it is wrong, and the findings."""
+    """Result of reading a list: its points, None if programs cannot name it, and the findings."""
 
     table: PointTable | None
     diagnostics: tuple[Diagnostic, ...]
@@ -66,7 +66,7 @@ def read_table(text: SourceText, name: str) -> ReadTable:
         hint = "name the file with letters, digits and `_`, and no word of the language"
         return ReadTable(None, (*findings, POINT_LIST_NAME.at(text.span(1), message, hint=hint)))
     if found is None or any(one.is_error for one in findings):
-        return ReadTable(None, findings)
+        return ReadTable(PointTable((), source=text.name), findings)
     return ReadTable(point_table(found, text.name), findings)
 
 

@@ -20,8 +20,10 @@ def indexed(body: Body, node: nodes.Index) -> Value:
     Raises:
         RejectedError: the operand is no list, or it has no such point.
     """
-    symbol = body.find(node.operand.text) if isinstance(node.operand, nodes.Name) else None
-    if isinstance(symbol, Listed):
+    name = node.operand
+    symbol = body.find(name.text) if isinstance(name, nodes.Name) else None
+    if isinstance(symbol, Listed) and isinstance(name, nodes.Name):
+        body.with_points(symbol, name)
         return frames.listed_point(body, symbol, _number(body, symbol, node.index))
     if symbol is None or isinstance(symbol, Poison):
         values.check(body, node.operand)  # reports a name that is not known

@@ -104,7 +104,7 @@ def name(body: Body, node: nodes.Name) -> Value:
                 f"write `for each slot in {node.text}`",
             )
         case Listed():
-            if symbol is body.each:
+            if body.with_points(symbol, node) is body.each:
                 return frames.listed_point(body, symbol, frames.EACH)
             body.fail(
                 kinds.WRONG_TYPE,

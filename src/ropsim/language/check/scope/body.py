@@ -226,6 +226,18 @@ class Body:
             self._declared_names = found
         return found
 
+    def with_points(self, listed: Listed, name: Name) -> Listed:
+        """Return a list that can be used.
+
+        Raises:
+            RejectedError: its text is wrong, which is reported there.
+        """
+        if not listed.table.points:
+            message = f"the list of points `{listed.name}` cannot be used: its text is wrong"
+            source = listed.table.source
+            self.fail(kinds.UNKNOWN_LIST, name, message, f"mend `{source}`" if source else "mend it")
+        return listed
+
     def truth_signals(self) -> frozenset[str]:
         """Return the names of all signals that are on or off."""
         if self._truth_signals is None:

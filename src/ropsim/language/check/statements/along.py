@@ -40,7 +40,7 @@ def listed(body: Body, name: Name) -> Listed:
     if not isinstance(symbol, Listed):
         lists = [one for one, found in body.world.symbols.items() if isinstance(found, Listed)]
         body.unknown(name_kinds.UNKNOWN_LIST, name, "list of points", lists)
-    return symbol
+    return body.with_points(symbol, name)
 
 
 def along(body: Body, node: syntax.Motion, name: Name) -> tuple[Along, Expression]:

@@ -114,7 +114,7 @@ def for_each(body: Body, node: syntax.ForEach, walk: Walk) -> Block:
     if isinstance(pattern, Poison):
         raise RejectedError
     if isinstance(pattern, Listed):
-        return _over_list(body, node, pattern, walk)
+        return _over_list(body, node, body.with_points(pattern, node.pattern), walk)
     if not isinstance(pattern, Pattern):
         places = [n for n, s in body.world.symbols.items() if isinstance(s, Pattern | Listed)]
         body.unknown(name_kinds.UNKNOWN_PATTERN, node.pattern, "pattern or list of points", places)
