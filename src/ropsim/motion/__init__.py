@@ -71,6 +71,7 @@ from ropsim.motion.joint_paths.refined import Refined as Refined
 from ropsim.motion.joint_paths.refined import joins as joins
 from ropsim.motion.joint_paths.refined import parts_by_error as parts_by_error
 from ropsim.motion.joint_paths.sampled import SampledPath as SampledPath
+from ropsim.motion.joint_paths.sampled import middle_errors as middle_errors
 from ropsim.motion.joint_paths.sampled import sampled_with_error as sampled_with_error
 from ropsim.motion.line_diagnostics import JOINT_LIMIT_ON_LINE as JOINT_LIMIT_ON_LINE
 from ropsim.motion.line_diagnostics import JUMP_ON_LINE as JUMP_ON_LINE
