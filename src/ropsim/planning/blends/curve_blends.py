@@ -20,16 +20,15 @@ def blend_at(chain: MotionChain, before: PlannedMove, behind: PlannedMove) -> Bl
         behind: the move that begins there.
     """
     one, other = before.on_curve, behind.on_curve
-    if one is None and other is None:
-        return blend_between(chain, before, behind)
-    assert before.joints is not None
-    zone = min(commanded_zone(chain, before.move), HALF * before.joints.length)
-    if one and other and one.curve is other.curve:
-        return Passage(zone, one.end, other.begin)
-    if one and one.curve.behind:
-        return Passage(zone, one.curve.length, one.curve.behind)
-    if other and other.curve.before:
-        return Passage(zone, before.joints.length - other.curve.before, 0.0)
+    if before.joints is not None and (one or other):
+        length = before.joints.length
+        zone = min(commanded_zone(chain, before.move), HALF * length)
+        if one and other and one.curve is other.curve:
+            return Passage(zone, one.end, other.begin)
+        if one and one.curve.behind:
+            return Passage(zone, one.curve.length, one.curve.behind)
+        if other and other.curve.before:
+            return Passage(zone, length - other.curve.before, 0.0)
     found = blend_between(chain, _alone(before), _alone(behind))
     return found if one is None or isinstance(found, Stop) else replace(found, leave=found.leave + one.begin)
 

@@ -179,6 +179,15 @@ def test_a_chain_ends_where_its_moves_differ(change: dict[str, Any]) -> None:
     assert off < 1e-9 if change.get("zone") == 0.0 else off < 1e-4
 
 
+@pytest.mark.parametrize("twice", [0, 7])
+def test_a_point_that_comes_twice_ends_a_chain(twice: int) -> None:
+    points = np.insert(wave(0.0025, 14), twice, wave(0.0025, 14)[twice], axis=0)
+    done = flown(IRB, points, 0.001, 0.3)
+    assert len(curves(done)) == (2 if twice else 1)
+    assert {found.code for found in done.findings} == {"M560", "M576"}
+    np.testing.assert_allclose(positions_of(IRB, done)[-1], points[-1], atol=1e-9)
+
+
 def test_long_lines_are_flown_as_they_were() -> None:
     points = wave(0.080, 6)
     moves = list(lines(points, 0.010, 0.1))
