@@ -204,3 +204,23 @@ def test_lines_without_a_zone_stop() -> None:
     done, _ = plan(IRB, stops, MotionState.at_rest(q_start))
     assert done is not None
     assert not curves(done)
+
+
+def test_a_long_curve_is_planned_in_pieces_on_which_its_references_lie() -> None:
+    count = 300
+    way = np.arange(count + 1) * 0.0025
+    points = np.column_stack(
+        (0.36 + 0.05 * np.cos(20.0 * way), 0.05 * np.sin(20.0 * way), 0.40 + 0.1 * np.sin(way))
+    )
+    done = flown(IRB, points, 0.001, 0.3)
+    assert curves(done)[0]["flown"] == count
+    places, before = positions_of(IRB, done), 0
+    assert len(done.path_segments) > 3
+    for piece in done.path_segments:
+        assert piece.path is not None
+        assert piece.first == before
+        assert piece.path.length < 0.4
+        here = places[piece.first : piece.last + 1]
+        assert piece.path.distance(here).max() < 1e-7
+        before = piece.last
+    assert before == done.ticks
