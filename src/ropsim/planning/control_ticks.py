@@ -52,7 +52,7 @@ def in_ticks(
         planned_moves: the moves.
         zones: that are flown at their ends [m].
         timing: of the sequence.
-        retimed: its motion within the limits of the joints, at all ticks of whole interpolation ticks.
+        retimed: its motion within the limits of the joints, at all control ticks until it rests.
         findings: on the moves.
     """
     period, phi = chain.controller.rates.control_period, retimed.phi[1:]

@@ -114,8 +114,8 @@ def _planned(
                 refusal := standing_refusal(moves[path_segment.move_number], path_segment)
             ):
                 return _Hurdle(path_segment.move_number, refusal)
-    rates = chain.controller.rates
-    rules, period = TimingRules(TIME_LAWS[chain.time_law], chain.controller.look_ahead), rates.control_period
+    period = chain.controller.rates.control_period
+    rules = TimingRules(TIME_LAWS[chain.time_law], chain.controller.look_ahead)
     chosen = by_tool(moves, blends, joined, rules)
     findings += (hint for one in chosen.stops for hint in stopped(moves[one].move, Stop.QUICKER))
     timing = chosen.timing
@@ -128,7 +128,7 @@ def _planned(
         return infeasible
     if any(move.move.tracking for move in moves):
         bounds = with_correction(bounds)
-    by_joint_limits = by_joints(moves, chosen, bounds, Ticks(period, rates.interpolation_ticks), rules)
+    by_joint_limits = by_joints(moves, chosen, bounds, Ticks(period), rules)
     findings += (hint for one in by_joint_limits.stops for hint in stopped(moves[one].move, Stop.SLOWED))
     timing, retimed = by_joint_limits.retiming.timing, by_joint_limits.retiming.retimed
     if isinstance(retimed, Infeasible):

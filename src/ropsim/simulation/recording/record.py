@@ -60,6 +60,7 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
     """Return the recording of a run that has ended."""
     for at in run.stations.values():
         run.end_looking(at)
+        at.rest_to_row()
     logs = {name: at.plant.log() for name, at in run.stations.items()}
     rows = _rows(run, logs)
     time = rows / run.hz
