@@ -8,6 +8,8 @@ from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.model import Payload, RobotModel
 from ropsim.motion import TIME_LAWS, Infeasible, JointBounds, Ticks, own_law_of
+from ropsim.planning.achieved.reached_speeds import reached_speeds, singularity_at
+from ropsim.planning.achieved.zones import achieved_zones, clipped, stopped
 from ropsim.planning.blends.blend import Blend, Stop, blend_between
 from ropsim.planning.control_ticks import in_ticks, standing
 from ropsim.planning.joint_limits.arm_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
@@ -31,7 +33,6 @@ from ropsim.planning.sequence_moves import sequence_moves
 from ropsim.planning.stops.chosen_stops import by_joints, by_tool
 from ropsim.planning.trajectory.sections import TimingRules
 from ropsim.planning.trajectory.segments import segments_of
-from ropsim.planning.zones import achieved_zones, clipped, stopped
 from ropsim.spatial import Array, record
 
 NO_PAYLOAD = Payload()
@@ -136,9 +137,16 @@ def _planned(
         return _Hurdle(number, beyond_refusal(moves[number], retimed, chain.robot))
     if late := _late(moves, retimed.clock.times_of(timing.ends).tolist()):
         return _Hurdle(late[0], Refusal(check_duration(moves[late[0]].move, late[1])))
-    findings += slowed_findings(moves, timing.ends, by_joint_limits.retiming.slowed, chain.robot)
+    findings += slowed_findings(
+        moves,
+        timing.ends,
+        by_joint_limits.retiming.slowed,
+        chain.robot,
+        lambda part: singularity_at(by_joint_limits.retiming, part, chain.robot),
+    )
     zones = achieved_zones(chain.robot, moves, by_joint_limits.blends, by_joint_limits.retiming.motion)
-    return in_ticks(chain, moves, zones, timing, retimed, findings)
+    reached = reached_speeds(moves, chosen.timing, by_joint_limits.retiming, chain.robot, rules)
+    return in_ticks(chain, moves, zones, timing, retimed, reached, findings)
 
 
 def _infeasible(
