@@ -9,7 +9,7 @@ import pytest
 
 from ropsim import icr, robots
 from ropsim.flow import MessageInstruction, MoveInstruction
-from ropsim.language import Compiled, Environment, compile
+from ropsim.language import Compiled, Environment, PointTable, compile
 from ropsim.program import SignalUse, ValueType
 from ropsim.spatial import Pose
 from ropsim.workbench.testing import dry_arm
@@ -17,12 +17,21 @@ from support.cells import one_station
 from support.manual import DOCS, Block, blocks
 from support.tasks import CELL
 
+SEAM = PointTable(
+    tuple(
+        (x, y, 0.1, 0.0, 1.0, 0.0, 0.0) for x, y in ((0.3, 0.0), (0.32, 0.005), (0.34, 0.005), (0.36, 0.0))
+    ),
+    {"entry": 1, "exit": 4},
+)
+"""The list `points/seam.csv` of the manual."""
+
 MANUAL_CELL = replace(
     CELL,
     external=("length", "angle"),
+    lists={"seam": SEAM},
     signals={**CELL.signals, "glue": SignalUse("glue", is_input=False, type=ValueType.BOOL)},
 )
-"""The small cell of the tests, with an output, and a robot with a track and a positioner."""
+"""The small cell of the tests, with an output and a list, and a robot with a track and a positioner."""
 
 ROBOT = one_station("manual", robots.load("puma560"), robots.default_controller("puma560"))
 """The arm that `here` and `store` need."""

@@ -37,6 +37,7 @@ from ropsim.icr.program import FrameDefinition as FrameDefinition
 from ropsim.icr.program import IoChannel as IoChannel
 from ropsim.icr.program import LibraryText as LibraryText
 from ropsim.icr.program import Operand as Operand
+from ropsim.icr.program import PoseList as PoseList
 from ropsim.icr.program import Procedure as Procedure
 from ropsim.icr.program import Program as Program
 from ropsim.icr.program import Step as Step

@@ -45,6 +45,7 @@ def _plain(program: Program) -> Program:
         channels=tuple(sorted(program.channels, key=lambda one: one.name)),
         frames=tuple(sorted(program.frames, key=lambda one: one.name)),
         tools=tuple(sorted(program.tools, key=lambda one: one.name)),
+        lists=tuple(sorted(program.lists, key=lambda one: one.name)),
         source="",
         libraries=(),
     )

@@ -31,6 +31,7 @@ class OperandKind(Enum):
     COMPARISON = "comparison"
     POSTURE = "posture"
     DIRECTION = "direction"
+    LIST = "list"
 
     __hash__ = object.__hash__
     """Each kind is one object, as each `Type` is."""
@@ -179,6 +180,7 @@ _TABLE = """
 0416 TURNS     count    *   P  CONFIG [pose k1 .. kn -> pose with the turns of the first n axes]
 0417 AXES      -        PO  P  -     [pose axes -> the same place, shifted along these axes of the task frame]
 0418 OFFSET    -        PV  P  -     [pose way -> pose shifted along its axes, else those of its task frame]
+0419 ITEM      list     I   P  -     [i -> pose i of a list, counted from 1]
 0501 FRAME     frame    -   -  -     task frame in force
 0503 TOOL      tool     -   -  -     tool in force
 0506 SPD.PTP   -        R   -  -     share of the joint speed limits, (0, 1]
@@ -204,6 +206,7 @@ _TABLE = """
 060B TRIG.DIST side,channel * - TRIG [value distance ->] output on the next move at a way of the TCP [m]
 060C TRIG.TIME side,channel * - TRIG [value time ->] output on the next move at a time [s]
 060D MOVE.CIRC.A -      PPR -  CIRC  [via to angle] arc of an angle [rad] on the circle through two poses
+060E MOVE.SPL.L list    PP  -  SPLINE [X_AB X_CD ->] curve through X_AB·X_BC·X_CD of all poses X_BC of a list
 0701 IN        channel  -   *  IO    value of a channel
 0702 OUT       channel  *   -  IO    set an output channel
 0704 WAIT.T    -        R   -  -     stand still for a time [s]

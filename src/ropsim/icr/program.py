@@ -82,6 +82,14 @@ class ToolDefinition:
 
 
 @frozen_dataclass
+class PoseList:
+    """A list of poses, counted from 1: each (x, y, z, qw, qx, qy, qz) [m, 1]; one at least."""
+
+    name: str
+    poses: tuple[PoseTuple, ...]
+
+
+@frozen_dataclass
 class LibraryText:
     """Source of a procedure that is not in the source text.
 
@@ -148,6 +156,7 @@ class Program:
         channels: inputs and outputs.
         frames: task frames.
         tools: tools.
+        lists: lists of poses.
         source: name of the text that the source lines refer to; empty where there is none. Like the lines it
             is not part of the identity of the program.
         libraries: texts of the procedures that come from elsewhere; also not part of the identity.
@@ -163,6 +172,7 @@ class Program:
     channels: tuple[IoChannel, ...] = ()
     frames: tuple[FrameDefinition, ...] = ()
     tools: tuple[ToolDefinition, ...] = ()
+    lists: tuple[PoseList, ...] = ()
     source: str = field(default="", compare=False)
     libraries: tuple[LibraryText, ...] = field(default=(), compare=False)
     declared_at: Mapping[str, Span] = field(default_factory=dict, compare=False, repr=False)

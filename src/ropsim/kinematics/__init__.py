@@ -49,6 +49,10 @@ from ropsim.kinematics.nearest import Nearest as Nearest
 from ropsim.kinematics.nearest import nearest as nearest
 from ropsim.kinematics.path import inverse_near as inverse_near
 from ropsim.kinematics.path import inverse_path as inverse_path
+from ropsim.kinematics.path_derivatives import followed as followed
+from ropsim.kinematics.path_derivatives import has_path_derivatives as has_path_derivatives
+from ropsim.kinematics.path_derivatives import is_followed as is_followed
+from ropsim.kinematics.path_derivatives import path_derivatives as path_derivatives
 from ropsim.kinematics.recognition import classes_missed as classes_missed
 from ropsim.kinematics.recognition import redundant_solver_of as redundant_solver_of
 from ropsim.kinematics.recognition import solver_of as solver_of

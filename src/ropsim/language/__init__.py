@@ -38,6 +38,7 @@ from ropsim.language.editing.written_places import literals_on as literals_on
 from ropsim.language.editing.written_places import motion_places as motion_places
 from ropsim.language.environment import NO_SIGNATURES as NO_SIGNATURES
 from ropsim.language.environment import Environment as Environment
+from ropsim.language.environment import PointTable as PointTable
 from ropsim.language.environment import TaskSignature as TaskSignature
 from ropsim.language.findings.hidden import HIDDEN as HIDDEN
 from ropsim.language.findings.names import UNKNOWN_TASK as UNKNOWN_TASK

@@ -1,8 +1,11 @@
 """Cache of the compiler for the versions of texts that are being edited."""
 
+from collections.abc import Hashable
+from dataclasses import fields, replace
+
 from ropsim.language.cutting.reading import PARSER
 from ropsim.language.environment import Environment
-from ropsim.language.questions import ENVIRONMENT
+from ropsim.language.questions import ENVIRONMENT, LISTS
 from ropsim.language.syntax.shapes import Shapes
 from ropsim.language.syntax.text import Parsed
 from ropsim.query import Database, Once
@@ -39,11 +42,14 @@ class LineCache:
     def database(self, environment: Environment, name: str = "") -> Database:
         """Return the database of the text of that name in this environment."""
         for k, (known, text, db) in enumerate(self._databases):
-            if known is environment and text == name:
-                self._databases.append(self._databases.pop(k))
+            if text == name and _differ_by_lists(known, environment):
+                del self._databases[k]
+                self._databases.append((environment, name, db))
+                if known.lists is not environment.lists:
+                    db.give({LISTS: environment.lists})
                 return db
         db = Database()
-        db.give({PARSER: self, ENVIRONMENT: environment})
+        db.give({PARSER: self, **_inputs(environment)})
         self._databases = [*self._databases[-MAX_TEXTS + 1 :], (environment, name, db)]
         return db
 
@@ -51,5 +57,19 @@ class LineCache:
 def once(environment: Environment) -> Database:
     """Return a database for one compilation of a text in this environment."""
     db = Once()
-    db.give({PARSER: LineCache(), ENVIRONMENT: environment})
+    db.give({PARSER: LineCache(), **_inputs(environment)})
     return db
+
+
+_FIELDS = tuple(one.name for one in fields(Environment) if one.name != "lists")
+
+
+def _differ_by_lists(one: Environment, other: Environment) -> bool:
+    """Return whether two environments are made of the same objects except for their lists of points."""
+    return one is other or all(getattr(one, name) is getattr(other, name) for name in _FIELDS)
+
+
+def _inputs(environment: Environment) -> dict[Hashable, object]:
+    """Return an environment as inputs, lists apart: only results that read them depend on them."""
+    around = replace(environment, lists={}) if environment.lists else environment
+    return {ENVIRONMENT: around, LISTS: environment.lists}

@@ -112,6 +112,7 @@ def _program(
         dict(world.tools),
         environment.default_tool,
         tuple(signals.values()),
+        {name: one.points for name, one in db.read(questions.LISTS).items()},
     )
 
 

@@ -31,6 +31,24 @@ class TaskSignature:
 
 
 @frozen_dataclass
+class PointTable:
+    """A list of points of the project.
+
+    Attributes:
+        points: poses in the frame in which the list is read, in their order [m, unit quaternion w x y z];
+            none where a line of the list is wrong, so that no program can use it.
+        names: number of each point that has a name, from 1.
+        source: name of its text.
+        places: lines in which the points stand, in their order; empty if they have none.
+    """
+
+    points: tuple[PoseTuple, ...]
+    names: Mapping[str, int] = field(default_factory=dict)
+    source: str = ""
+    places: tuple[int, ...] = ()
+
+
+@frozen_dataclass
 class Environment:
     """The names that a cell and a library define for programs.
 
@@ -62,6 +80,7 @@ class Environment:
         external: the same for each external axis of the robot.
         postures: the words that a posture of the arm may have, for each of its parts; empty if they have no
             names, None if the arm is unknown.
+        lists: lists of points by name.
         up: z of the world in the base frame [unit vector].
     """
 
@@ -85,6 +104,7 @@ class Environment:
     measured: Mapping[str, str] = field(default_factory=dict)
     told: Mapping[str, str] = field(default_factory=dict)
     postures: tuple[tuple[str, ...], ...] | None = None
+    lists: Mapping[str, PointTable] = field(default_factory=dict)
     up: tuple[float, float, float] = (0.0, 0.0, 1.0)
 
 

@@ -24,6 +24,7 @@ _OF_NAMES = frozenset(
         names.UNKNOWN_SIGNAL,
         names.UNKNOWN_FUNCTION,
         names.UNKNOWN_PATTERN,
+        names.UNKNOWN_LIST,
     )
 )
 """Findings reported once for each name: usually its declaration is wrong, not each use."""

@@ -71,6 +71,7 @@ from ropsim.motion.joint_paths.refined import Refined as Refined
 from ropsim.motion.joint_paths.refined import joins as joins
 from ropsim.motion.joint_paths.refined import parts_by_error as parts_by_error
 from ropsim.motion.joint_paths.sampled import SampledPath as SampledPath
+from ropsim.motion.joint_paths.sampled import middle_errors as middle_errors
 from ropsim.motion.joint_paths.sampled import sampled_with_error as sampled_with_error
 from ropsim.motion.line_diagnostics import JOINT_LIMIT_ON_LINE as JOINT_LIMIT_ON_LINE
 from ropsim.motion.line_diagnostics import JUMP_ON_LINE as JUMP_ON_LINE
@@ -155,6 +156,7 @@ from ropsim.motion.time_law.synchronised_kernel import plan_together as plan_tog
 from ropsim.motion.time_law.table import JERK_LIMITED as JERK_LIMITED
 from ropsim.motion.time_law.table import TIME_LAWS as TIME_LAWS
 from ropsim.motion.zone_diagnostics import BEYOND_LIMITS as BEYOND_LIMITS
+from ropsim.motion.zone_diagnostics import LINES_AS_CURVE as LINES_AS_CURVE
 from ropsim.motion.zone_diagnostics import SINGULARITY_HINTS as SINGULARITY_HINTS
 from ropsim.motion.zone_diagnostics import SLOWED as SLOWED
 from ropsim.motion.zone_diagnostics import SPEED_BEYOND_ARM as SPEED_BEYOND_ARM

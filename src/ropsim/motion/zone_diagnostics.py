@@ -12,8 +12,9 @@ A zone lets the arm leave its path near a point and go on to the next one withou
 passed without one. Both need a next move that is known in time. The arm stops all the same where the program
 ends or has to wait for the arm: before a gripper, an output, an input that is read, a wait; where the path
 turns back on itself; where the arm is at the target of the move already, or the next move has the same one;
-where the controller may not look far enough ahead; and where the zone is so small that to slow down for its
-bend, or for what joints can do there, takes longer than to stop. The message says which of these it is.
+where the controller may not look far enough ahead; and, at corners of more than a right angle and next to
+moves in joint space, where the zone is so small that to slow down for its bend, or for what joints can do
+there, takes longer than to stop. The message says which of these it is.
 
 **How to mend it.** Give the move `fine` if the stop is meant. Otherwise set the output on the path
 (`at 5 mm before end do set valve on`), read the input earlier, shift the point, or give a larger zone.
@@ -46,6 +47,25 @@ An instruction asks for a kind of path that the path planner of this station doe
 skipped.
 
 **How to mend it.** Use one of the kinds that the message names.
+""",
+)
+
+LINES_AS_CURVE = define(
+    "M576",
+    "lines-as-curve",
+    Severity.HINT,
+    "short lines one after the other are flown as smooth curves within their zones",
+    """
+Lines that are shorter than the way of speeding up and slowing down, with zones between them, are flown as one
+curve of the tool, as the compressors of controllers do it: were each corner rounded by itself, the tool would
+slow down at each. The message gives the number of lines, and how far the curve is from them at most, in
+distance and in orientation; it is never farther than the zones allow. Sharp corners keep their own zones, and
+so do points where no curve stays within the zone. Long lines stay lines. Triggers act where the curve passes
+their points.
+
+**How to mend it.** Nothing is wrong. Give smaller zones where the tool has to be nearer to the points, larger
+ones where it has to be quicker, and `fine` where it has to stop. Were the points made from a smooth curve, a
+`spline` through fewer of them says the same.
 """,
 )
 

@@ -1,22 +1,27 @@
 """A motion in control ticks: references, and the ticks at which moves, path segments and triggers come."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
 from ropsim.core import Diagnostic, maker
 from ropsim.flow import JointReference, ReachedSpeed
-from ropsim.motion import JointPoints, RetimedTrajectory, Ticks
+from ropsim.motion import JointPoints, RetimedTrajectory, Ticks, ToolPath, ToolSection
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.motion_chain import MotionChain
 from ropsim.planning.records.motion_plan import MotionPlan, TimedMove, TimedSegment
 from ropsim.planning.records.trigger_ticks import AchievedPath, PlannedTrigger, trigger_ticks
+from ropsim.planning.trajectory.segments import PathSegment
 from ropsim.planning.trajectory.timing import Timing
 from ropsim.planning.trajectory.timing_kernel import ticks_come
 from ropsim.spatial import Array
 
 _SLACK = 1e-9
 """Share of a control tick by which a motion may be longer than whole ticks, for rounding."""
+_MOVES = 64
+"""Moves of a curve that are one piece of its path in the plan."""
+_MARGIN = 0.05
+"""Length by which a piece reaches beyond its moves [m]; arms lag by less behind their references."""
 _move, _path_segment = maker(TimedMove), maker(TimedSegment)
 
 
@@ -80,12 +85,12 @@ def in_ticks(
         of_tool = planned.tool is not None
         limits, slow = planned.limits, reached.get(number)
         moves.append(_move(move, X_MT, planned_move.q_end, last, zone, triggers, limits, of_tool, slow))
-    path_segments, blends = _path_segments(timing, at.astype(np.int64).tolist())
+    path_segments, blends = _path_segments(timing, at.astype(np.int64).tolist(), lasts)
     return MotionPlan(tuple(moves), path_segments, retimed.rows.q[0], reference, period, tuple(found), blends)
 
 
 def _path_segments(
-    timing: Timing, ticks: Sequence[Sequence[int]]
+    timing: Timing, ticks: Sequence[Sequence[int]], lasts: Sequence[int]
 ) -> tuple[tuple[TimedSegment, ...], tuple[tuple[int, int], ...]]:
     """Return the path segments, and the blends and overlaps in order of time.
 
@@ -93,15 +98,16 @@ def _path_segments(
         timing: of the sequence.
         ticks: the last one before each path segment, and the last one on it; behind these the same for the
             overlap of each section with the one before.
+        lasts: tick at which the first move begins, then those at which the moves end.
     """
-    path_segments, blends, number = [], [], 0
+    path_segments, blends, number = list[TimedSegment](), list[tuple[int, int]](), 0
     for section in timing.sections:
         for path_segment in section.part.path_segments:
             (first, last), along = ticks[number], path_segment.coordination
-            path_segments.append(
-                _path_segment(
-                    path_segment.tool, path_segment.X_MT, first, last, along.frame if along else None
-                )
+            frame = along.frame if along else None
+            path_segments += (
+                _path_segment(tool, path_segment.X_MT, begin, end, frame)
+                for tool, begin, end in _pieces(path_segment, first, last, lasts)
             )
             if path_segment.blend is not None:
                 blends.append((first, last))
@@ -110,6 +116,34 @@ def _path_segments(
         if section.overlap > 0.0:
             blends.append((first, last))
     return tuple(path_segments), tuple(sorted(blends))
+
+
+def _pieces(
+    path_segment: PathSegment, first: int, last: int, lasts: Sequence[int]
+) -> Iterator[tuple[ToolPath | None, int, int]]:
+    """Yield the path of the tool of a segment in pieces of some moves, each with its ticks.
+
+    A piece reaches beyond its ticks, since the arm lags behind its references; the search for the nearest
+    place on it takes a time that does not depend on the length of the whole.
+
+    Args:
+        path_segment: of the timing.
+        first: last tick before it.
+        last: last tick on it.
+        lasts: tick at which the first move begins, then those at which the moves end.
+    """
+    tool, ends, begin = path_segment.tool, path_segment.ends, 0.0
+    if tool is not None:
+        for index in range(_MOVES - 1, len(ends) - 1, _MOVES):
+            tick = lasts[path_segment.move_number + index + 1]
+            yield _with_margins(tool, begin, ends[index]), first, tick
+            begin, first = ends[index], tick
+    yield (tool if tool is None or not begin else _with_margins(tool, begin, tool.length)), first, last
+
+
+def _with_margins(tool: ToolPath, begin: float, end: float) -> ToolPath:
+    """Return the section of a path between two path parameters, and beyond both."""
+    return ToolSection(tool, max(begin - _MARGIN, 0.0), min(end + _MARGIN, tool.length))
 
 
 def _to_rest(rows: JointPoints, q_end: Array, at_rest: int) -> JointReference:

@@ -10,7 +10,9 @@ from ropsim.model import Payload, RobotModel
 from ropsim.motion import TIME_LAWS, Infeasible, JointBounds, Ticks, own_law_of
 from ropsim.planning.achieved.reached_speeds import reached_speeds, singularity_at
 from ropsim.planning.achieved.zones import achieved_zones, clipped, stopped
-from ropsim.planning.blends.blend import Blend, Stop, blend_between
+from ropsim.planning.blends.blend import Blend, Passage, Stop
+from ropsim.planning.blends.curve_blends import blend_at
+from ropsim.planning.blends.move_curves import may_be_slower, with_curves
 from ropsim.planning.control_ticks import in_ticks, standing
 from ropsim.planning.joint_limits.arm_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
 from ropsim.planning.moves.move_check import check_duration
@@ -75,7 +77,7 @@ def plan(
         return None, wrong
     moves, refusal = sequence_moves(chain, sequence, ahead, state.q)
     while moves:
-        planned = _planned(chain, moves, state, payload)
+        planned = _quickest(chain, moves, state, payload)
         if isinstance(planned, MotionPlan):
             return planned, refusal
         moves, refusal = moves[: planned.move_number], planned.refusal
@@ -93,6 +95,22 @@ class _Hurdle:
 
     move_number: int
     refusal: Refusal
+
+
+def _quickest(
+    chain: MotionChain, moves: list[PlannedMove], state: MotionState, payload: Payload
+) -> MotionPlan | _Hurdle:
+    """Return the motion through moves, with chains of short lines as curves where these are quicker."""
+    curved = with_curves(chain, moves)
+    if not any(move.on_curve for move in curved):
+        return _planned(chain, moves, state, payload)
+    along = _planned(chain, curved, state, payload)
+    if isinstance(along, MotionPlan) and not may_be_slower(curved):
+        return along
+    rounded = _planned(chain, moves, state, payload)
+    if isinstance(along, MotionPlan) and isinstance(rounded, MotionPlan):
+        return min(along, rounded, key=lambda one: one.duration)
+    return along if isinstance(along, MotionPlan) else rounded
 
 
 def _planned(
@@ -234,11 +252,12 @@ def _blends(chain: MotionChain, moves: list[PlannedMove], findings: list[Diagnos
     """Return the rounded blends between moves, None where the arm stops or where nothing moves."""
     blends: list[Blend | None] = []
     for before, behind in pairwise(moves):
-        found = blend_between(chain, before, behind)
+        found = blend_at(chain, before, behind)
         if isinstance(found, Stop):
             findings += stopped(before.move, found)
             blends.append(None)
         else:
-            findings += clipped(before.move, found)
+            if not isinstance(found, Passage):
+                findings += clipped(before.move, found)
             blends.append(found)
     return blends

@@ -12,11 +12,13 @@ from ropsim.program.contract import has_gripper_contract as has_gripper_contract
 from ropsim.program.contract import has_several_tools as has_several_tools
 from ropsim.program.contract import in_order as in_order
 from ropsim.program.contract import tools_in as tools_in
+from ropsim.program.diagnostics import IMPOSSIBLE_PATH as IMPOSSIBLE_PATH
 from ropsim.program.diagnostics import LoweringError as LoweringError
 from ropsim.program.expressions import Binary as Binary
 from ropsim.program.expressions import CommandPose as CommandPose
 from ropsim.program.expressions import Component as Component
 from ropsim.program.expressions import Constant as Constant
+from ropsim.program.expressions import Element as Element
 from ropsim.program.expressions import Expression as Expression
 from ropsim.program.expressions import Home as Home
 from ropsim.program.expressions import InAxes as InAxes
@@ -55,11 +57,13 @@ from ropsim.program.lowering.shifting import jumps_in as jumps_in
 from ropsim.program.lowering.shifting import shifted as shifted
 from ropsim.program.lowering.usage import Usage as Usage
 from ropsim.program.lowering.usage import joint_usage as joint_usage
+from ropsim.program.move import Along as Along
 from ropsim.program.move import Guard as Guard
 from ropsim.program.move import Move as Move
 from ropsim.program.move import Settings as Settings
 from ropsim.program.move import Tracking as Tracking
 from ropsim.program.move import Trigger as Trigger
+from ropsim.program.points import SAME_PLACE as SAME_PLACE
 from ropsim.program.points import KnownPlace as KnownPlace
 from ropsim.program.points import check_points as check_points
 from ropsim.program.points import points_from as points_from

@@ -179,6 +179,15 @@ class Kept:
 
 
 @frozen_dataclass
+class Element:
+    """The POSE of a list of the program whose number is an INT, counted from 1."""
+
+    list: str
+    index: "Expression"
+    type: ValueType = ValueType.POSE
+
+
+@frozen_dataclass
 class Home:
     """The home position of the arm; only as the target of a PTP move."""
 
@@ -204,5 +213,6 @@ Expression = (
     | Offset
     | Keeping
     | Kept
+    | Element
     | Home
 )

@@ -95,6 +95,23 @@ class Tracking:
 
 
 @frozen_dataclass
+class Along:
+    """A list of poses X_BC through which a motion leads in turn.
+
+    Attributes:
+        list: its name.
+        count: how many poses it has.
+        before: POSE X_AB.
+        behind: POSE X_CD; the points are X_AB·X_BC·X_CD.
+    """
+
+    list: str
+    count: int
+    before: Expression
+    behind: Expression
+
+
+@frozen_dataclass
 class Move:
     """A motion to a target, through points on the way.
 
@@ -109,6 +126,8 @@ class Move:
         triggers: outputs that are set on the way.
         guard: condition that ends the motion before its target.
         tracking: correction of the path; None for the planned path.
+        along: list whose points the motion leads through, the target being the last one; then `via` is empty,
+            and a PTP or LIN goes from each point to the next one. None for none.
         store: variable for the pose that the arm has at the end; empty for none.
     """
 
@@ -122,3 +141,4 @@ class Move:
     guard: Guard | None = None
     tracking: Tracking | None = None
     store: str = ""
+    along: Along | None = None

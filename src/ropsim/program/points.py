@@ -13,7 +13,7 @@ from ropsim.program.move import Move
 from ropsim.program.program import Program
 from ropsim.program.types import ValueType
 
-TOLERANCE = 1e-6
+SAME_PLACE = 1e-6
 """Points nearer to each other, or to a line, than this are taken for one, or for points of it [m]."""
 
 _Point = tuple[float, float, float]
@@ -132,7 +132,7 @@ def _arc_fault(places: list[KnownPlace | None]) -> tuple[str, str] | None:
     if start and via and target and start.frame == via.frame == target.frame:
         along, across = _way(start, target), _way(start, via)
         height = math.hypot(*_cross(along, across)) / math.hypot(*along)
-        if height <= TOLERANCE:
+        if height <= SAME_PLACE:
             hint = "write `lin`, or choose a via point beside the line"
             return "start, via point and target of the arc lie on one line", hint
     return None
@@ -156,7 +156,7 @@ def _joined(places: list[KnownPlace | None]) -> KnownPlace | None:
 def _is_one(one: KnownPlace | None, other: KnownPlace | None) -> bool:
     if one is None or other is None or one.frame != other.frame:
         return False
-    return math.dist(one.point, other.point) <= TOLERANCE
+    return math.dist(one.point, other.point) <= SAME_PLACE
 
 
 def _way(start: KnownPlace, end: KnownPlace) -> _Point:

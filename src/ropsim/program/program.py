@@ -79,6 +79,7 @@ class Program:
         tools: name -> pose in the mechanical interface frame (nominal).
         tool: tool in force at the start, empty for the cell's default.
         signals: channels that the program names.
+        lists: name -> poses of the lists of points.
     """
 
     name: str
@@ -90,3 +91,4 @@ class Program:
     tools: Mapping[str, PoseTuple] = field(default_factory=dict)
     tool: str = ""
     signals: tuple[SignalUse, ...] = ()
+    lists: Mapping[str, tuple[PoseTuple, ...]] = field(default_factory=dict)

@@ -46,6 +46,7 @@ class Used:
         channels: inputs and outputs by name.
         tools: by name.
         frames: by name.
+        lists: by name.
         axes: how many joint coordinates its values have.
         has_guessed_axes: whether a value was needed before the number was determined.
     """
@@ -53,6 +54,7 @@ class Used:
     channels: dict[str, IoChannel] = field(default_factory=dict)
     tools: dict[str, None] = field(default_factory=dict)
     frames: dict[str, None] = field(default_factory=dict)
+    lists: dict[str, None] = field(default_factory=dict)
     axes: int | None = None
     has_guessed_axes: bool = False
 

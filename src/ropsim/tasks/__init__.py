@@ -9,6 +9,7 @@ from ropsim.tasks.answers.planning import Plan as Plan
 from ropsim.tasks.base import KnowledgeBase as KnowledgeBase
 from ropsim.tasks.findings import words as words
 from ropsim.tasks.findings.text_diagnostics import NO_COMPILING as NO_COMPILING
+from ropsim.tasks.findings.text_diagnostics import POINT_LIST_NAME as POINT_LIST_NAME
 from ropsim.tasks.folder import read_folder as read_folder
 from ropsim.tasks.forms.clause import FieldFault as FieldFault
 from ropsim.tasks.forms.clause import FormClause as FormClause
@@ -68,10 +69,13 @@ from ropsim.tasks.terms.task_call import Quantity as Quantity
 from ropsim.tasks.terms.task_call import TaskCall as TaskCall
 from ropsim.tasks.terms.task_call import Value as Value
 from ropsim.tasks.world.geometry import unchecked_text as unchecked_text
+from ropsim.tasks.world.point_files import point_files as point_files
+from ropsim.tasks.world.point_files import point_text_of as point_text_of
+from ropsim.tasks.world.point_files import read_point_list as read_point_list
+from ropsim.tasks.world.point_files import read_point_lists as read_point_lists
 from ropsim.tasks.world.point_list import PointList as PointList
-from ropsim.tasks.world.point_list import point_files as point_files
-from ropsim.tasks.world.point_list import read_point_list as read_point_list
-from ropsim.tasks.world.point_list import read_point_lists as read_point_lists
+from ropsim.tasks.world.point_list import point_table as point_table
+from ropsim.tasks.world.point_list import points_of as points_of
 from ropsim.tasks.world.world_state import WorldState as WorldState
 from ropsim.tasks.world.world_table import WorldTable as WorldTable
 from ropsim.tasks.world.world_table import world_table as world_table

@@ -20,6 +20,7 @@ from ropsim.tasks.terms.pattern import places_in_rows as places_in_rows
 from ropsim.tasks.terms.point import point_of_term as point_of_term
 from ropsim.tasks.terms.point import term_of_point as term_of_point
 from ropsim.tasks.terms.point import typed_point as typed_point
+from ropsim.tasks.world.point_files import decoded as decoded
 from ropsim.tasks.world.point_list import points_of as points_of
 from ropsim.tasks.world.point_list import points_text as points_text
 from ropsim.tasks.world.world_state import ordered as ordered

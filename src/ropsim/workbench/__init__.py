@@ -72,6 +72,9 @@ from ropsim.workbench.sessions.session import taken_back as taken_back
 from ropsim.workbench.sessions.session import told as told
 from ropsim.workbench.sessions.session_words import words_for as words_for
 from ropsim.workbench.tasks.declared_tasks import DeclaredTask as DeclaredTask
+from ropsim.workbench.tasks.point_texts import NO_POINTS as NO_POINTS
+from ropsim.workbench.tasks.point_texts import PointTexts as PointTexts
+from ropsim.workbench.tasks.point_texts import read_point_texts as read_point_texts
 from ropsim.workbench.tasks.task_texts import NO_TASKS as NO_TASKS
 from ropsim.workbench.tasks.task_texts import TaskTexts as TaskTexts
 from ropsim.workbench.tasks.task_texts import read_task_texts as read_task_texts

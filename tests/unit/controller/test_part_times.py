@@ -47,8 +47,8 @@ def test_no_joint_is_quicker_between_rows_than_the_longest_cell_tells() -> None:
     for _ in range(20):
         rows = np.cumsum(random.normal(size=(int(random.integers(9, 30)), 6)), axis=0)
         path, most, told = SampledPath(1.0, rows), random.uniform(0.1, 3.0, 6), np.empty(1)
-        longest_cell(path.q, path.derivatives, most, told)
-        paces = np.abs(path.joints(np.linspace(0.0, 1.0, 3001)).d1) / (len(rows) - 1) / most
+        longest_cell(path.q, path.derivatives, path.parameters, most, told)
+        paces = np.abs(path.joints(np.linspace(0.0, 1.0, 3001)).d1) / most
         assert paces.max() <= told[0] * (1.0 + ROUNDING)
         inside += paces.max() > 0.5 * told[0]
     assert inside > 15

@@ -420,7 +420,7 @@ def test_a_corner_at_which_the_arm_stops_says_why_in_every_pass() -> None:
 @pytest.mark.parametrize("zone", [1e-5, 1e-3, 3e-3, 1e-2, 3e-2])
 @pytest.mark.parametrize("angle", [20.0, 60.0, 90.0, 130.0, 165.0])
 def test_a_zone_costs_no_time(angle: float, zone: float) -> None:
-    """Where the way round the corner is slower than a stop, the arm stops, and the line says so."""
+    """A corner of up to a right angle is passed in any case; a sharper one only where that is no slower."""
     turn, middle = np.radians(angle), shifted(HERE, -0.1, 0.0, 0.0)
     end = shifted(middle, -0.1 * np.cos(turn), 0.1 * np.sin(turn), 0.0)
     in_between = shifted(middle, -0.003 * np.cos(turn), 0.003 * np.sin(turn), 0.0)
@@ -428,8 +428,9 @@ def test_a_zone_costs_no_time(angle: float, zone: float) -> None:
     for points in ([middle, end], [middle, in_between, end]):
         achieved = planned_stretch([lin(point, modal, 1) for point in points])
         stops = planned_stretch([lin(point) for point in points])
-        assert achieved.ticks <= stops.ticks
+        assert achieved.ticks <= (1.06 if angle <= 90.0 else 1.0) * stops.ticks
         left = [found for found in achieved.findings if found.code == "M560" and "less time" in found.message]
+        assert angle > 90.0 or not left
         zones = [move.zone for move in achieved.moves[:-1]]
         assert len(left) == zones.count(0.0)
 

@@ -37,6 +37,7 @@ class Names:
             OperandKind.PROCEDURE: [one.name for one in program.procedures],
             OperandKind.CHANNEL: [one.name for one in program.channels],
             OperandKind.FRAME: ["", *(one.name for one in program.frames)],
+            OperandKind.LIST: [one.name for one in program.lists],
             OperandKind.TOOL: ["", *(one.name for one in program.tools)],
         }
         shared = [one.name for one in program.variables]

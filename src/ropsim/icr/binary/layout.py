@@ -25,6 +25,7 @@ class Section(IntEnum):
     FRAMES = 5
     TOOLS = 6
     PROCEDURES = 7
+    LISTS = 8
     NAMES = 128
     LINES = 129
     LIBRARIES = 130

@@ -15,6 +15,7 @@ from ropsim.icr.program import (
     FrameDefinition,
     IoChannel,
     LibraryText,
+    PoseList,
     Procedure,
     Program,
     Step,
@@ -91,7 +92,10 @@ def _program(sections: Mapping[Section, Supply]) -> Program:
     variables = _variables(names, shared_types)
     title = sections[Section.PROGRAM].text("the name of the program")
     heads = _heads(sections[Section.PROCEDURES], names)
-    empty = Program(title, heads, variables=variables, channels=channels, frames=frames, tools=tools)
+    lists = tuple(_lists(sections[Section.LISTS]))
+    empty = Program(
+        title, heads, variables=variables, channels=channels, frames=frames, tools=tools, lists=lists
+    )
     code = sections[Section.PROCEDURES]
     known = Names.of(empty)
     codes = [_code(code, known.within(one)) for one in heads]
@@ -114,6 +118,7 @@ def _program(sections: Mapping[Section, Supply]) -> Program:
         channels=channels,
         frames=frames,
         tools=tools,
+        lists=lists,
         source=source,
         libraries=libraries,
     )
@@ -149,6 +154,12 @@ def _libraries(supply: Supply) -> Iterator[LibraryText]:
     while supply.left:
         name = supply.name("the name of a procedure")
         yield LibraryText(name, supply.text("the name of a text"), supply.text("the version of a text"))
+
+
+def _lists(supply: Supply) -> Iterator[PoseList]:
+    while supply.left:
+        name = supply.name("the name of a list")
+        yield PoseList(name, tuple(_pose(supply) for _ in supply.each("poses", _POSE)))
 
 
 def _types(supply: Supply) -> tuple[Type, ...]:

@@ -73,6 +73,7 @@ def _sections(program: Program) -> Iterator[tuple[Section, bytes]]:
     ):
         yield section, b"" if sink.content == b"\x00" else bytes(sink.content)
     yield Section.PROCEDURES, bytes(procedures.content)
+    yield Section.LISTS, _lists(program)
     yield Section.NAMES, _variable_names(program)
     yield Section.LINES, _lines(program)
     yield Section.LIBRARIES, _libraries(program)
@@ -93,6 +94,17 @@ def _procedures(sink: Sink, program: Program) -> None:
         sink.number(len(procedure.code))
         for step in procedure.code:
             put_step(sink, step, numbers)
+
+
+def _lists(program: Program) -> bytes:
+    """Return the lists of poses; empty for none."""
+    sink = Sink()
+    for one in program.lists:
+        sink.text(one.name)
+        sink.number(len(one.poses))
+        for pose in one.poses:
+            sink.reals(pose)
+    return bytes(sink.content)
 
 
 def _variable_names(program: Program) -> bytes:
@@ -147,7 +159,14 @@ def _each(sink: Sink, texts: Iterable[str]) -> None:
 
 def _names(program: Program) -> Iterator[str]:
     """Yield all names of a program."""
-    for group in (program.variables, program.channels, program.frames, program.tools, program.procedures):
+    for group in (
+        program.variables,
+        program.channels,
+        program.frames,
+        program.tools,
+        program.lists,
+        program.procedures,
+    ):
         yield from (one.name for one in group)
     yield from program.capabilities
     for procedure in program.procedures:

@@ -151,6 +151,16 @@ def shown(stack: list[Datum], _values: list[Datum], kind: Datum) -> None:
             stack[-1] += f" in {tag.name}"
 
 
+def _item(stack: list[Datum], _values: list[Datum], operand: Datum) -> None:
+    """ITEM; the operand is (name of the list, its poses)."""
+    name, poses = operand
+    number = stack[-1]
+    if not 0 < number <= len(poses):
+        message = f"`{name}` has no element {number}, it has the elements 1 to {len(poses)}"
+        raise TrapError(kinds.BOUNDS, message, "elements are counted from 1")
+    stack[-1] = poses[number - 1]
+
+
 _SI_DECIMALS = 9
 """Of lengths [m] and angles [rad] in lists: smaller ones are rounding errors."""
 _DECIMALS = {Type.VEC: 6}
@@ -174,6 +184,7 @@ GEOMETRY: dict[str, Handler] = {
     "MKPOSE": _make(2, lambda position, orientation: position + orientation),
     "MKJ": _make_joints,
     "MKEXT": _make_external,
+    "ITEM": _item,
     "COMPOSE": _make(2, _compose),
     "INFRAME": in_frame,
     "AXES": with_axes,

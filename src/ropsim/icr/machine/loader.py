@@ -68,6 +68,8 @@ def _code(
             datum = _value(operand) if isinstance(operand, Constant) else operand
             if step.mnemonic in _JUMPS:
                 datum = operand, index + 1
+            elif step.mnemonic == "ITEM":
+                datum = operand, _poses(program, str(operand))
             elif step.mnemonic == "INFRAME":
                 datum = _frame(program, operand) if operand else None
             code.append((handler, datum))
@@ -105,6 +107,12 @@ def _value(constant: Constant) -> Datum:
     return (*constant.value[:at], *quaternion.unit((w, x, y, z)), *constant.value[at + 4 :])
 
 
+def _poses(program: Program, name: str) -> tuple[Datum, ...]:
+    """Return the poses of a list."""
+    found = next(one.poses for one in program.lists if one.name == name)
+    return tuple([_value(Constant(Type.POSE, pose)) for pose in found])
+
+
 def _frame(program: Program, name: Datum) -> FrameTag:
     """Return a task frame with its nominal pose; without a name the base frame."""
     pose = next((Pose.from_tuple(one.pose) for one in program.frames if one.name == name), Pose())
@@ -117,6 +125,8 @@ def _operand(program: Program, step: Step) -> Datum:
         index = program.procedure_numbers[str(name)]
         callee = program.procedures[index]
         return index, callee.name, len(callee.parameters), len(callee.locals)
+    if step.mnemonic == "MOVE.SPL.L":
+        return _poses(program, str(name))
     if step.mnemonic == "FRAME":
         return _frame(program, name)
     if step.mnemonic == "TOOL":

@@ -75,6 +75,17 @@ other.
 """,
     Category.UNFINISHED,
 )
+BOUNDS = define(
+    "I466",
+    "trap-bounds",
+    _ERROR,
+    "trap BOUNDS: a list has no element of that number",
+    """
+A program takes an element of a list by a number that it computes, and the list has none of that number.
+Elements are counted from 1. The message has the number and how many there are.
+""",
+    Category.UNFINISHED,
+)
 
 TRAP_TIMED_OUT = 1
 TRAP_NOT_WHOLE = 2

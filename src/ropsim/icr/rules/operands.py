@@ -115,6 +115,7 @@ def _names(program: Program, procedure: Procedure) -> dict[OperandKind, Collecti
         OperandKind.PROCEDURE: program.procedure_numbers,
         OperandKind.FRAME: {one.name for one in program.frames} | {""},
         OperandKind.TOOL: {one.name for one in program.tools} | {""},
+        OperandKind.LIST: {one.name for one in program.lists},
         OperandKind.CHANNEL: {one.name for one in program.channels},
         **{kind: set(words) for kind, words in WORDS.items()},
     }

@@ -2,16 +2,20 @@
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
+from itertools import islice
 
 from ropsim.core import Diagnostic, Span
 from ropsim.icr import diagnostics as kinds
 from ropsim.icr.opcodes import OPCODES
-from ropsim.icr.program import VERSION, Procedure, Program, channel_fault, text_place
+from ropsim.icr.program import VERSION, PoseList, Procedure, Program, channel_fault, text_place
 from ropsim.icr.rules.assignment import check_assignment
 from ropsim.icr.rules.calls import check_calls
 from ropsim.icr.rules.flow import check_reachability, check_stack
 from ropsim.icr.rules.operands import MAX_AXES, check_constant, check_operands
 from ropsim.icr.types import WIDTHS, Constant, Type
+
+MAX_LISTED = 1_000_000
+"""Poses that a list may have."""
 
 
 def verify(program: Program) -> tuple[Diagnostic, ...]:
@@ -74,6 +78,7 @@ def _declarations(program: Program) -> Iterator[Diagnostic]:
         ("IO", [one.name for one in program.channels]),
         ("FRAMEDEF", [one.name for one in program.frames]),
         ("TOOLDEF", [one.name for one in program.tools]),
+        ("LIST", [one.name for one in program.lists]),
         ("PROC", [one.name for one in program.procedures]),
         *((f"PROC {one.name}", [variable.name for variable in one.variables]) for one in program.procedures),
     )
@@ -97,6 +102,22 @@ def _declarations(program: Program) -> Iterator[Diagnostic]:
             yield from _pose(
                 tool.pose, program.declared_at.get(f"TOOLDEF {tool.name}"), f"tool `{tool.name}`"
             )
+
+    for one in program.lists:
+        yield from _list(one, program.declared_at.get(f"LIST {one.name}"))
+
+
+def _list(one: PoseList, place: Span | None) -> Iterator[Diagnostic]:
+    """Yield that a list has no pose, or too many, and the first pose that is none."""
+    if not 0 < len(one.poses) <= MAX_LISTED:
+        message = f"list `{one.name}` has {len(one.poses)} poses, allowed are 1 to {MAX_LISTED}"
+        yield kinds.OPERAND_WRONG.at(place, message)
+    faults = (
+        fault
+        for number, pose in enumerate(one.poses, 1)
+        for fault in _pose(pose, place, f"pose {number} of list `{one.name}`")
+    )
+    yield from islice(faults, 1)
 
 
 def _pose(pose: tuple[float, ...], place: Span | None, what: str) -> Iterator[Diagnostic]:

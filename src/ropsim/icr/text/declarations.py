@@ -5,6 +5,7 @@ from ropsim.icr.program import (
     FrameDefinition,
     IoChannel,
     LibraryText,
+    PoseList,
     Procedure,
     Program,
     ToolDefinition,
@@ -18,7 +19,7 @@ from ropsim.spatial import PoseTuple
 
 
 class Declarations:
-    """Collects SOURCE, TASKTEXT, REQUIRE, VAR, IO, FRAMEDEF and TOOLDEF records."""
+    """Collects the records at the head, SOURCE to ROW."""
 
     def __init__(self) -> None:
         self.name = ""
@@ -30,6 +31,8 @@ class Declarations:
         self.channels: list[IoChannel] = []
         self.frames: list[FrameDefinition] = []
         self.tools: list[ToolDefinition] = []
+        self.lists: dict[str, list[PoseTuple]] = {}
+        self._rows: list[PoseTuple] | None = None
         self.declared_at: dict[str, Span] = {}
 
     def program(self, procedures: tuple[Procedure, ...]) -> Program:
@@ -43,6 +46,7 @@ class Declarations:
             channels=tuple(self.channels),
             frames=tuple(self.frames),
             tools=tuple(self.tools),
+            lists=tuple(PoseList(name, tuple(rows)) for name, rows in self.lists.items()),
             source=self.source,
             libraries=tuple(self.libraries),
             declared_at=self.declared_at,
@@ -55,6 +59,9 @@ class Declarations:
             The fault in its form, and the name that it declares a second time; both empty if correct.
         """
         head, rest = words[0].text, words[1:]
+        if head == "ROW":
+            return self._row(rest), ""
+        self._rows = None
         if head == "SOURCE":
             return self._source(rest, place)
         if head == "REQUIRE":
@@ -63,7 +70,13 @@ class Declarations:
         if len(rest) <= at or not is_name(rest[at]):
             return "a name is needed", ""
         name = rest[at].text
-        readers = {"VAR": self._var, "IO": self._io, "FRAMEDEF": self._frame, "TOOLDEF": self._tool}
+        readers = {
+            "VAR": self._var,
+            "IO": self._io,
+            "FRAMEDEF": self._frame,
+            "TOOLDEF": self._tool,
+            "LIST": self._list,
+        }
         problem = {**readers, "TASKTEXT": self._library}[head](name, rest)
         key = f"{head} {name}"
         twice = f"`{key}`" if key in self.declared_at else ""
@@ -115,6 +128,21 @@ class Declarations:
         if pose is None:
             return "seven numbers are needed"
         self.frames.append(FrameDefinition(name, pose))
+        return ""
+
+    def _list(self, name: str, rest: tuple[Token, ...]) -> str:
+        if len(rest) != 1:
+            return "one name is needed"
+        self._rows = self.lists.setdefault(name, [])
+        return ""
+
+    def _row(self, rest: tuple[Token, ...]) -> str:
+        pose = _pose(rest)
+        if self._rows is None:
+            return "stands only below `LIST name` or another `ROW`"
+        if pose is None:
+            return "seven numbers are needed"
+        self._rows.append(pose)
         return ""
 
     def _tool(self, name: str, rest: tuple[Token, ...]) -> str:

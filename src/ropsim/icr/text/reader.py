@@ -20,6 +20,8 @@ _FORMS = {
     "IO": "IO DI|DO|AI|AO name TYPE",
     "FRAMEDEF": "FRAMEDEF name x y z qw qx qy qz",
     "TOOLDEF": "TOOLDEF name x y z qw qx qy qz, or TOOLDEF name where only the cell knows the pose",
+    "LIST": "LIST name",
+    "ROW": "ROW x y z qw qx qy qz, below LIST name",
     "PROC": "PROC name",
     "PARAM": "PARAM name TYPE, before the first instruction of a PROC",
     "LOCAL": "LOCAL name TYPE, before the first instruction of a PROC",

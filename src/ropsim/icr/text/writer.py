@@ -26,6 +26,8 @@ def disassemble(program: Program) -> str:
     records += [f"IO {one.kind} {named(one.name)} {one.type.value}" for one in program.channels]
     records += [f"FRAMEDEF {named(one.name)} {_numbers(one.pose)}" for one in program.frames]
     records += [f"TOOLDEF {named(one.name)} {_numbers(one.pose or ())}".rstrip() for one in program.tools]
+    for one in program.lists:
+        records += [f"LIST {named(one.name)}", *(f"ROW {_numbers(pose)}" for pose in one.poses)]
     for procedure in program.procedures:
         records += _procedure(procedure)
     return "\n".join(records) + "\n"

@@ -16,7 +16,7 @@ from ropsim.language.check.scope import fold, hidden
 from ropsim.language.check.scope.body import Body, RejectedError
 from ropsim.language.check.scope.types import INT, JOINTS, NAMED, POSE, AnyType, Unknown, Value, closed, known
 from ropsim.language.check.scope.units import UNITS, Dimension, UnitSystem
-from ropsim.language.check.scope.world import Origin, Poison, Symbol, Variable, World
+from ropsim.language.check.scope.world import Listed, Origin, Poison, Symbol, Variable, World
 from ropsim.language.check.taken_names import TakenNames
 from ropsim.language.environment import Environment
 from ropsim.language.findings import hidden as hidden_kinds
@@ -86,10 +86,10 @@ def world(
     has_axes = bool(environment.moving) or any(
         X_BF[3:] != X_BK[3:] for X_BF in (*frames.values(), *environment.given.values(), fold.IDENTITY)
     )
-    symbols: dict[str, Symbol] = {}
+    symbols: dict[str, Symbol] = {name: Listed(name, one) for name, one in environment.lists.items()}
     tools = dict(environment.tools)
     result = World(
-        environment,
+        replace(environment, lists={}),  # they stand among the symbols, where each is read by its name
         _units(top, environment),
         "strict" in modes,
         "classic" in modes or not (title is not None or "strict" in modes),

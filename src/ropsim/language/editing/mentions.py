@@ -165,6 +165,9 @@ def _read(node: Node | None) -> Iterator[Mention]:
             yield Mention(node, Part.READ)
         case nodes.Unary(operand=inner) | nodes.State(operand=inner) | nodes.Member(operand=inner):
             yield from _read(inner)
+        case nodes.Index():
+            yield from _read(node.operand)
+            yield from _read(node.index)
         case nodes.Binary():
             yield from _read(node.left)
             yield from _read(node.right)

@@ -25,6 +25,7 @@ class Role(Enum):
     CONSTANT = "constant"
     VARIABLE = "variable"
     PATTERN = "pattern"
+    LIST = "list of points"
 
 
 @frozen_dataclass

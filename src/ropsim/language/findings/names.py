@@ -163,13 +163,35 @@ of that number: `call release 2` passes on the second one. Control statements ha
 locations, and a task has no more than its callers pass to it.
 """,
 )
+UNKNOWN_LIST = define(
+    "N226",
+    "unknown-list",
+    Severity.ERROR,
+    "a list of points that the project does not have",
+    """
+`lin along seam`, `spline along seam` and `mov along seam` lead through the points of the file
+`points/seam.csv` of the project. A list has the name of its file: letters, digits and `_`. A list with an
+error in it cannot be used either; `ropsim check` shows where that is.
+""",
+)
+UNKNOWN_POINT = define(
+    "N227",
+    "unknown-point",
+    Severity.ERROR,
+    "a name that no point of a list has",
+    """
+`rack["p7"]` is the point that has the name `p7` in the first column of `points/rack.csv`. Upper and lower
+case count. A point is also taken by its number, from 1: `rack[7]`.
+""",
+)
 UNKNOWN_PATTERN = define(
     "N213",
     "unknown-pattern",
     Severity.ERROR,
-    "a pattern that is not defined",
+    "a pattern or list that is not defined",
     """
-`for each name in pattern` runs over a `pattern` declaration:
+`for each name in pattern` runs over a list of points of the project, `points/NAME.csv`, or over a `pattern`
+declaration:
 
 ```
 pattern slots = grid 6 x 6 from (0, 0, 40) step (70, 0, 0), (0, 70, 0)

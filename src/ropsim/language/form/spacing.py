@@ -42,6 +42,8 @@ def _touches(line: Sequence[Token], number: int, written: str) -> bool:
         return right == "." or _is_member(line, number)
     if right in _TIGHT_BEFORE or left in _OPENING:
         return True
+    if right == "[":
+        return before.kind == "word"
     if right == "(":
         return before.kind == "word" and _has_arguments(line, number, written)
     if left == "-" and _is_sign(line, number - 1, written):

@@ -46,6 +46,7 @@ from ropsim.language.questions.inputs import DECLARED as DECLARED
 from ropsim.language.questions.inputs import ENVIRONMENT as ENVIRONMENT
 from ropsim.language.questions.inputs import INFERRED as INFERRED
 from ropsim.language.questions.inputs import JOINT_COUNT as JOINT_COUNT
+from ropsim.language.questions.inputs import LISTS as LISTS
 from ropsim.language.questions.inputs import OF_PARTS as OF_PARTS
 from ropsim.language.questions.inputs import ORDER as ORDER
 from ropsim.language.questions.inputs import PART as PART

@@ -15,7 +15,7 @@ from ropsim.language.cutting.reading import CALLABLE, Names
 from ropsim.language.environment import Environment
 from ropsim.language.questions.callers import is_own
 from ropsim.language.questions.groups import Group, part_groups
-from ropsim.language.questions.inputs import DECLARED, ENVIRONMENT, PART, PARTS
+from ropsim.language.questions.inputs import DECLARED, ENVIRONMENT, LISTS, PART, PARTS
 from ropsim.language.questions.told import inferred
 from ropsim.language.report import Report, TooManyFindingsError
 from ropsim.language.syntax.text import Line
@@ -25,7 +25,7 @@ from ropsim.spatial import PoseTuple
 
 def declared(db: Database) -> Declared:
     """Return the declarations of the text outside tasks."""
-    environment: Environment = db.read(ENVIRONMENT)
+    environment: Environment = replace(db.read(ENVIRONMENT), lists=db.read(LISTS))
     report = Report(CONTROL)
     try:
         own = Marked(lambda name: db.ask(is_own, name))

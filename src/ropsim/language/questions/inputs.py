@@ -2,6 +2,8 @@
 
 ENVIRONMENT = "environment"
 """Input: names that cell and library define."""
+LISTS = "lists of points"
+"""Input: lists of points by name; the environment is given without them."""
 TASKS = "tasks"
 """Input: names of the tasks of the text, in order."""
 PARTS = "parts of the control statements"

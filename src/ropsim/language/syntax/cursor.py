@@ -130,6 +130,20 @@ class Cursor:
             message = f"parentheses nest deeper than {MAX_NESTING}"
             self.fault(kinds.DEPTH, self.end - 1, self.end, message, "split the expression with a variable")
 
+    def open_bracket(self) -> None:
+        """Step over `[`, one level deeper."""
+        self.expect("[")
+        self.count_operator()
+        self.depth += 1
+        if self.depth > MAX_NESTING:
+            message = f"parentheses nest deeper than {MAX_NESTING}"
+            self.fault(kinds.DEPTH, self.end - 1, self.end, message, "split the expression with a variable")
+
+    def close_bracket(self) -> None:
+        """Step over `]`, one level up."""
+        self.expect("]")
+        self.depth -= 1
+
     def close_parenthesis(self) -> None:
         """Step over `)`, one level up."""
         if self.token.kind == "number" or (self.token.kind == "word" and self.look(-1).kind != "number"):

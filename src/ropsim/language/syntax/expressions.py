@@ -11,6 +11,7 @@ from ropsim.language.syntax.nodes import (
     Binary,
     External,
     Function,
+    Index,
     Item,
     Joints,
     Literal,
@@ -181,8 +182,16 @@ def _members(cursor: Cursor, node: Node) -> Node:
             token = cursor.advance()
             node = Member(node, Name(token.text, token.start, token.end), node.start, token.end)
         else:
-            cursor.not_yet(cursor.token, "name[index]")
+            node = _index(cursor, node)
     return node
+
+
+def _index(cursor: Cursor, operand: Node) -> Index:
+    opening = cursor.start
+    cursor.open_bracket()
+    index = expression(cursor)
+    cursor.close_bracket()
+    return Index(operand, index, opening, operand.start, cursor.end)
 
 
 def _primary(cursor: Cursor) -> Node:

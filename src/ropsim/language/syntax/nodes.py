@@ -176,6 +176,17 @@ class Member:
     end: int
 
 
+@frozen_dataclass
+class Index:
+    """`operand[index]`: an element of a list; `opening` is its bracket."""
+
+    operand: "Node"
+    index: "Node"
+    opening: int
+    start: int
+    end: int
+
+
 Node = (
     Name
     | Number
@@ -190,4 +201,5 @@ Node = (
     | Tuple
     | Joints
     | Member
+    | Index
 )

@@ -3,9 +3,10 @@
 import math
 import re
 from collections.abc import Iterator
+from itertools import pairwise
 
-from ropsim.core import frozen_dataclass
-from ropsim.language import Outline, Role, Space, TaskForm, Uses
+from ropsim.core import frozen_dataclass, plural
+from ropsim.language import Outline, PointTable, Role, Space, TaskForm, Uses
 from ropsim.lsp.analysis.types_of import type_of_parameter, variable_types
 from ropsim.lsp.analysis.workshop import Surroundings
 from ropsim.lsp.protocol.document import Document
@@ -67,6 +68,8 @@ def of_cell(around: Surroundings) -> Iterator[Known]:
             yield Known(name, Role.FRAME, pose_words(one.X_PK), "cell", f"on {one.parent}, which moves")
     for name, tool in station.tools.items():
         yield Known(name, Role.TOOL, pose_words(tool.X_MT), "cell", "in the mechanical interface")
+    for name, table in around.environment.lists.items():
+        yield Known(name, Role.LIST, list_words(table), "cell", "in the frame in force")
     for name, signal in cell.signals.items():
         yield Known(name, Role.SIGNAL, signal_words(signal), "cell")
 
@@ -78,6 +81,15 @@ def of_text(uses: Uses, line: int, checked: CheckedText) -> Iterator[Known]:
         if one.role is not None and one.space is not Space.TASK:
             type_ = types.get(one) or type_of_parameter(one, checked)
             yield Known(one.name, one.role, one.line or one.role.value, "text", type=type_)
+
+
+def list_words(table: PointTable) -> str:
+    """Return how many points a list has, how long the way through them is, and where the first one is."""
+    if not table.points:
+        return "its text is wrong"
+    way = sum(math.dist(one[:3], other[:3]) for one, other in pairwise(table.points))
+    count, first = plural(len(table.points), "point"), pose_words(Pose.from_tuple(table.points[0]))
+    return f"{count}, {_shown(way * 1000.0, 1)} mm from one to the next; the first is {first}"
 
 
 def pose_words(pose: Pose) -> str:

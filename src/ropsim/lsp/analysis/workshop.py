@@ -15,11 +15,13 @@ from ropsim.lsp.protocol.document import Document
 from ropsim.model import Cell, RobotSource, Station
 from ropsim.userfiles import UNREADABLE, read_project_text
 from ropsim.workbench import (
+    NO_POINTS,
     NO_TASKS,
     NOWHERE,
     AtStation,
     CheckedText,
     LineMoves,
+    PointTexts,
     Reading,
     RobotFile,
     TaskTexts,
@@ -27,6 +29,7 @@ from ropsim.workbench import (
     around_programs,
     moves_by_line,
     program_arm,
+    read_point_texts,
     read_robot,
     read_robot_files,
     read_task_texts,
@@ -58,6 +61,7 @@ class Surroundings:
         stations: that run the program, by name.
         environment: names for the compiler at the first of them.
         tasks: texts of tasks that it can call, open or on the disk.
+        points: texts of lists of points that it can use.
         before: of the last cell file that was right, where this one is wrong.
     """
 
@@ -69,6 +73,7 @@ class Surroundings:
     environment: language.Environment = language.NO_SIGNATURES
     before: "Surroundings | None" = None
     tasks: TaskTexts = NO_TASKS
+    points: PointTexts = NO_POINTS
 
     @property
     def at(self) -> AtStation:
@@ -83,7 +88,9 @@ class Surroundings:
     @property
     def outside(self) -> frozenset[str]:
         """Return the names of the cell that a text may read like its own variables."""
-        return frozenset((*self.cell.locations, *self.cell.signals)) if self.cell is not None else frozenset()
+        if self.cell is None:
+            return frozenset()
+        return frozenset((*self.cell.locations, *self.cell.signals, *self.environment.lists))
 
     @property
     def is_broken(self) -> bool:
@@ -132,7 +139,8 @@ class Workshop:
             else:
                 continue
             robots = read_robot_files(folder, robot_files(text), partial(_text_of, folder, opened))
-            return self._read(folder, text, robots, program, _tasks(folder, opened))
+            points = read_point_texts(folder, partial(_named, folder))
+            return self._read(folder, text, robots, program, _tasks(folder, opened), points)
         if document.is_task_text:
             return Surroundings(tasks=TaskTexts((_source(document),)))
         return Surroundings()
@@ -264,17 +272,18 @@ class Workshop:
         robots: Mapping[RobotSource, RobotFile],
         program: str,
         tasks: TaskTexts,
+        points: PointTexts,
     ) -> Surroundings:
         known = self._surroundings.get((folder, program))
         read = robots_read(robots)
         cell = self.workspace.cell(text, folder.name, read).cell if text is not None else None
-        if known is not None and (known.cell_text, known.robots, known.tasks) == (text, robots, tasks):
+        if known is not None and _made_of(known) == (text, robots, tasks, points):
             return known
         if cell is None or text is None:
             before = None if known is None else (self._as_it_was(known) if known.cell else known.before)
-            made = Surroundings(folder, text, robots, before=before, tasks=tasks)
+            made = Surroundings(folder, text, robots, before=before, tasks=tasks, points=points)
         else:
-            made = self._around(folder, text, robots, cell, program, tasks)
+            made = self._around(folder, text, robots, cell, program, tasks, points)
         self._surroundings[folder, program] = made
         return made
 
@@ -286,12 +295,13 @@ class Workshop:
         cell: Cell,
         program: str,
         tasks: TaskTexts,
+        points: PointTexts,
     ) -> Surroundings:
         read = robots_read(robots)
         names = [one.name for one in cell.stations_of(program)]
-        stations = {name: self.workspace.at(text, folder.name, name, read, tasks) for name in names}
+        stations = {name: self.workspace.at(text, folder.name, name, read, tasks, points) for name in names}
         environment = self.workspace.environment(next(iter(stations.values())))
-        return Surroundings(folder, text, robots, cell, stations, environment, tasks=tasks)
+        return Surroundings(folder, text, robots, cell, stations, environment, tasks=tasks, points=points)
 
     def _as_it_was(self, known: Surroundings) -> Surroundings:
         """Return surroundings that stay valid with the newer text of the same cell file."""
@@ -299,10 +309,14 @@ class Workshop:
         text = replace(known.cell_text, name=f"{known.cell_text.name}, as it was")
         read = robots_read(known.robots)
         stations = {
-            name: self.workspace.at(text, one.folder, name, read, known.tasks)
+            name: self.workspace.at(text, one.folder, name, read, known.tasks, known.points)
             for name, one in known.stations.items()
         }
         return replace(known, stations=stations)
+
+
+def _made_of(around: Surroundings) -> tuple[object, ...]:
+    return around.cell_text, around.robots, around.tasks, around.points
 
 
 def _are_same(known: tuple[object, object], made_of: tuple[object, object]) -> bool:
@@ -312,6 +326,10 @@ def _are_same(known: tuple[object, object], made_of: tuple[object, object]) -> b
 
 def _source(document: Document) -> SourceText:
     return SourceText(document.name, document.text)
+
+
+def _named(folder: Path, place: str) -> str:
+    return str(folder / place)
 
 
 def _is_cell_file(document: Document) -> bool:

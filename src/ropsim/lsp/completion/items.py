@@ -20,10 +20,11 @@ KINDS = {
     Role.CONSTANT: 21,
     Role.VARIABLE: 6,
     Role.PATTERN: 13,
+    Role.LIST: 13,
 }
 KEYWORD, FUNCTION, UNIT, TYPE, FIELD, LITERAL, OPERATOR = 14, 3, 11, 25, 5, 12, 24
 
-NO_VALUES = (Role.FRAME, Role.TOOL, Role.PATTERN)
+NO_VALUES = (Role.FRAME, Role.TOOL, Role.PATTERN, Role.LIST)
 """Roles of names of the cell and of the text that denote no value."""
 
 

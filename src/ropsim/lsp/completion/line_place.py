@@ -15,7 +15,8 @@ class Place(Enum):
     NOTHING = "nothing"
     UNITS = "units of bare numbers"
     TYPE = "type"
-    PATTERN = "pattern"
+    PATTERN = "pattern or list of points"
+    LIST = "list of points"
     STATEMENT = "statement"
     OUTPUT = "output"
     INPUT = "input"
@@ -44,6 +45,7 @@ _PLACES = tuple(
         (r"^\s*pattern\s+\w+\s*=\s*grid(?:\s+\w+\s*x)*\s+$", Place.VALUE),
         (r"^\s*(?:stop|needs|assumes|load)\s+|^\s*(?:var\s+\w+|for\s+\w+)\s+$", Place.NOTHING),
         (r"^\s*var\s+\w+\s*:\s*\w+\s+$|\btrack\s+\w+\s+$", Place.NOTHING),
+        (r"^\s*(?:mov[jl]?|lin|spline)\s+along\s+$", Place.LIST),
         (r"\bstore\s+$", Place.STORE),
         (r"\btrack\s+$", Place.INPUT),
         (r"^\s*(?:for\s+each\s+\w+\s+in)\s+$", Place.PATTERN),

@@ -31,7 +31,7 @@ _FROM_END = r"\b(?:after|before)\b"
 _COUNTS = r"^\s*pattern\s+\w+\s*=\s*grid\s+\w+(?:\s*x\s+\w+)"
 _STEPS = r"^\s*pattern\b.*\bstep\s*\([^()]*\)(?:\s*,\s*\([^()]*\))*"
 _SET = ("set OUTPUT on|off|= value", words.STATEMENTS["set"].meaning)
-_EACH = ("for each NAME in PATTERN", words.STATEMENTS["for"].meaning)
+_EACH = ("for each NAME in PATTERN|LIST", words.STATEMENTS["for"].meaning)
 _WAY = "the end from which is counted"
 _SIDES = _Next(
     re.compile(rf"\bat\s(?:(?!\bdo\b|{_FROM_END}).)*[^\d\s(,=+*/-]\s+$", re.IGNORECASE),

@@ -52,10 +52,11 @@ _WORDS: Mapping[Place, tuple[Json, ...]] = {
     Place.STATEMENT: tuple(word_items(words.STATEMENTS, KEYWORD, "2")),
 }
 _ROLES = {
-    Place.PATTERN: Role.PATTERN,
-    Place.TOOL: Role.TOOL,
-    Place.FRAME: Role.FRAME,
-    Place.STATEMENT: Role.VARIABLE,
+    Place.PATTERN: (Role.PATTERN, Role.LIST),
+    Place.LIST: (Role.LIST,),
+    Place.TOOL: (Role.TOOL,),
+    Place.FRAME: (Role.FRAME,),
+    Place.STATEMENT: (Role.VARIABLE,),
 }
 
 
@@ -149,7 +150,8 @@ def _offered(
     if place in _WORDS:
         yield from _WORDS[place]
     if place in _ROLES:
-        yield from _named(known, _ROLES[place])
+        for role in _ROLES[place]:
+            yield from _named(known, role)
     match place:
         case Place.TURN:
             yield from (name_item(one) for one in known if one.role not in NO_VALUES)

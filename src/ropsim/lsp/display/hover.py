@@ -26,7 +26,7 @@ from ropsim.spatial import Pose
 from ropsim.workbench import TaskTexts, location_of
 
 _ROLES = {
-    Space.SYMBOL: (Role.LOCATION, Role.SIGNAL),
+    Space.SYMBOL: (Role.LOCATION, Role.SIGNAL, Role.LIST),
     Space.FRAME: (Role.FRAME,),
     Space.TOOL: (Role.TOOL,),
     Space.TASK: (),
@@ -127,6 +127,10 @@ def _of_cell(
     around = workshop.named(document, documents)
     for one in names.of_cell(around):
         if one.name == found.name and one.role in _ROLES[found.space]:
+            if one.role is Role.LIST:
+                yield f"**{plain(found.name)}**: {one.role.value}, `points/{plain(found.name)}.csv`"
+                yield plain(f"{one.text}, {one.where}")
+                continue
             yield f"**{plain(found.name)}**: {one.role.value} of the cell"
             assert around.cell is not None
             texts = list(places_of(around.cell, f"{one.role.value}s", found.name))

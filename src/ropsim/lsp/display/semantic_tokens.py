@@ -37,6 +37,7 @@ _ROLES = {
     Role.CONSTANT: "enumMember",
     Role.VARIABLE: "variable",
     Role.PATTERN: "struct",
+    Role.LIST: "struct",
 }
 _SPACES = {
     Space.SYMBOL: "enumMember",

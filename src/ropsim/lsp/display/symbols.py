@@ -23,6 +23,7 @@ KINDS = {
     Role.CONSTANT: 14,
     Role.VARIABLE: 13,
     Role.PATTERN: 18,
+    Role.LIST: 18,
 }
 
 

@@ -43,4 +43,4 @@ class JointLine:
 
     def path_rows(self, begin: float) -> PathRows:
         """Return the data of the path for compiled loops, from a path parameter on."""
-        return PathRows(STRAIGHT, begin, 1.0, 2, (self.q_start, self.q_end), None)
+        return PathRows(STRAIGHT, begin, 1.0, 2, (self.q_start, self.q_end), None, None)

@@ -20,8 +20,9 @@ class PathRows(NamedTuple):
         size: number of its rows k.
         rows: of n numbers, one behind the other in flat arrays: joint coordinates [rad | m] of all path
             parameters, or of both ends; behind these, of profiles, the three rows of their shapes.
-        slopes: first and second derivatives at all path parameters by the number of the row, shape (2, k, n);
-            None of paths that are not traced.
+        slopes: first and second derivatives at all path parameters, shape (2, k, n); None of paths that are
+            not traced.
+        parameters: these path parameters, shape (k,); None of paths that are not traced.
     """
 
     kind: int
@@ -30,6 +31,7 @@ class PathRows(NamedTuple):
     size: int
     rows: tuple[Array, ...]
     slopes: Array | None
+    parameters: Array | None
 
 
 def rows_of_path(path: JointPath, begin: float = 0.0) -> PathRows | None:

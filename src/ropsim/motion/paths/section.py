@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.motion.curves.grid import grid_of_part
+from ropsim.motion.curves.grid import Gridded, grid_of_part
 from ropsim.motion.curves.nearest import distances
 from ropsim.motion.curves.path import ToolPath, ToolPoints
 from ropsim.motion.curves.traits import constant_derivatives, parameter_is_arc_length
@@ -17,8 +17,8 @@ class ToolSection:
         path: of the tool.
         begin: its path parameter at the start of the section.
         end: its path parameter at the end of the section, beyond `begin`.
-        grid: into how many steps the search for the nearest path parameter divides it; between two steps the
-            path must not turn by more than about a right angle.
+        grid: into how many steps the search for the nearest path parameter divides it at least; with the grid
+            of the path, if that has one, it must not turn by more than half a right angle between two steps.
     """
 
     path: ToolPath
@@ -55,7 +55,10 @@ class ToolSection:
 
     def distance(self, points: Array) -> Array:
         """Return how far points, shape (k, 3) [m], are from the path of the TCP, shape (k,) [m]."""
-        return distances(points, self._curve, np.linspace(self.begin, self.end, self.grid + 1))
+        even = np.linspace(self.begin, self.end, self.grid + 1)
+        if isinstance(self.path, Gridded):  # dense where it bends
+            even = np.unique(np.concatenate((even, np.minimum(self.begin + self.own_grid(), self.end))))
+        return distances(points, self._curve, even)
 
     def _curve(self, s: Array) -> tuple[Array, Array, Array]:
         rows = self.path.tool(s)

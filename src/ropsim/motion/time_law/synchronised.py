@@ -79,7 +79,7 @@ class SynchronisedJoints:
     def path_rows(self, begin: float) -> PathRows:
         """Return the data of the path for compiled loops, from a path parameter on."""
         rows = self.q_start, self.q_end, self.shapes.reshape(-1)
-        return PathRows(SYNCHRONISED, begin, self.length, 5, rows, None)
+        return PathRows(SYNCHRONISED, begin, self.length, 5, rows, None, None)
 
 
 def _wrong_words(joint: int, distances: Array, bounds: Array) -> str:

@@ -1,6 +1,7 @@
-"""Spans of moves on paths of the tool: their share of each section, its length and its times."""
+"""Spans of moves on paths of the tool: their parts of a section of a motion sequence."""
 
 from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
@@ -10,51 +11,65 @@ from ropsim.planning.trajectory.timing import TimedSection
 from ropsim.spatial import Array, record
 
 
+class Part(NamedTuple):
+    """A part of a path segment, between two of its parameters [m]."""
+
+    path_segment: PathSegment
+    begin: float
+    end: float
+
+
 @record
 class Span:
     """A move on a section, from the middle of the blend before to the middle of its own.
 
     Attributes:
         move_number: number of the move.
-        start: parameter of the section at which it begins.
-        end: at which it ends.
-        length: of its way [m].
-        own: its path segments without blends.
-        behind: its blend, None where it has none.
+        start: parameter of the section at which it begins [m].
+        end: at which it ends [m].
+        parts: of the path segments on which it lies.
     """
 
     move_number: int
     start: float
     end: float
-    length: float
-    own: tuple[PathSegment, ...]
-    behind: PathSegment | None
+    parts: tuple[Part, ...]
+
+    @property
+    def length(self) -> float:
+        """Return the length of its way [m]."""
+        return self.end - self.start
+
+    @property
+    def behind(self) -> PathSegment | None:
+        """Return the blend in which it ends, None where it has none."""
+        last = self.parts[-1].path_segment
+        return last if last.blend is not None and last.move_number == self.move_number else None
 
 
 def spans_of(section: TimedSection) -> Iterator[Span]:
-    """Yield the moves of a section whose TCP goes along a path of the tool.
-
-    Args:
-        section: of a motion sequence.
-    """
+    """Yield the moves of a section whose TCP goes along a path of the tool, in order."""
     if not section.part.leads_tool or not section.part.has_path_limits:
         return
-    borders, begin, own = section.part.borders, 0.0, list[PathSegment]()
-    path_segments = section.path_segments
-    for number, path_segment in enumerate(path_segments):
-        first, end = float(borders[number]), float(borders[number + 1])
-        is_last = number + 1 == len(path_segments)
-        if path_segment.blend is None:
-            own.append(path_segment)
-        middle = end if path_segment.blend is None else 0.5 * (first + end)
-        ends_here = is_last or path_segment.blend is not None
-        if not ends_here and path_segments[number + 1].move_number == path_segment.move_number:
-            continue
-        blend = path_segment if path_segment.blend is not None else None
-        parts = (*own, *((blend,) if blend else ()))
-        if middle > begin and all(_is_arc_length(one.tool) for one in parts):
-            yield Span(path_segment.move_number, begin, middle, middle - begin, tuple(own), blend)
-        begin, own = middle, []
+    parts, begin, number = list[Part](), 0.0, section.path_segments[0].move_number
+    for path_segment, first in zip(section.path_segments, section.part.borders.tolist(), strict=False):
+        length, at = path_segment.joints.length, 0.0
+        cuts = (0.5 * length,) if path_segment.blend is not None else path_segment.ends
+        for cut in cuts:
+            parts.append(Part(path_segment, at, cut))
+            if found := _span(number, begin, first + cut, parts):
+                yield found
+            parts, begin, at, number = [], first + cut, cut, number + 1
+        parts.append(Part(path_segment, at, length))
+    if found := _span(number, begin, float(section.part.borders[-1]), parts):
+        yield found
+
+
+def _span(number: int, begin: float, end: float, parts: list[Part]) -> Span | None:
+    """Return a span; None of no length, and where the parameter of a path is no length."""
+    if end > begin and all(_is_arc_length(one.path_segment.tool) for one in parts):
+        return Span(number, begin, end, tuple(parts))
+    return None
 
 
 def _is_arc_length(path: ToolPath | None) -> bool:

@@ -117,9 +117,10 @@ def _value(cause: SpeedCause, span: Span, limits: ToolLimits) -> float:
 def _least_radius(span: Span) -> float:
     """Return the least radius of the way of a move without its blends [m], infinity of a straight one."""
     most = 0.0
-    for path_segment in span.own:
-        if path_segment.tool is not None and constant_derivatives(path_segment.tool) is None:
-            rows = path_segment.tool.tool(_SHARES * path_segment.tool.length)
+    for path_segment, begin, end in span.parts:
+        tool = path_segment.tool
+        if path_segment.blend is None and tool is not None and constant_derivatives(tool) is None:
+            rows = tool.tool(begin + _SHARES * (end - begin))
             most = max(most, float(np.linalg.norm(rows.d2[:, :3], axis=1).max()))
     return 1.0 / most if most > 0.0 else math.inf
 
@@ -134,12 +135,10 @@ def _corner(span: Span) -> float:
 
 
 def turn_of(span: Span) -> float:
-    """Return by which angle the tool turns on the way of a move, at its blends by half [rad]."""
+    """Return the angle by which the tool turns on the way of a move [rad]."""
     total = 0.0
-    for path_segment in (*span.own, *((span.behind,) if span.behind else ())):
+    for path_segment, begin, end in span.parts:
         if path_segment.tool is not None:
-            length = path_segment.tool.length
-            rates = np.linalg.norm(path_segment.tool.tool(_SHARES * length).d1[:, 3:], axis=1)
-            share = 0.5 if path_segment is span.behind else 1.0
-            total += share * length * float(rates.mean())
+            rows = path_segment.tool.tool(begin + _SHARES * (end - begin))
+            total += (end - begin) * float(np.linalg.norm(rows.d1[:, 3:], axis=1).mean())
     return total

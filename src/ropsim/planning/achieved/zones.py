@@ -101,7 +101,7 @@ def achieved_zones(
     ]
     if not sections:
         return zones
-    numbers = [section.part.path_segments[-1].move_number for section, _ in sections]
+    numbers = [section.part.path_segments[-1].last_move for section, _ in sections]
     q = motion.at(np.array([start for _, start in sections])).q
     tools = [moves[number].planned.X_MT for number in numbers]
     q = np.concatenate((q.reshape(-1), *(moves[number].q_end for number in numbers)))

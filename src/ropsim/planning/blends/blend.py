@@ -1,5 +1,6 @@
 """Blends of a sequence: how the path goes from one move to the next where a zone is in force."""
 
+import math
 from enum import Enum
 
 import numpy as np
@@ -59,6 +60,13 @@ class CartesianBlend:
     joints: JointPath
     coordination: Coordination | None
 
+    @property
+    def turn(self) -> float:
+        """Return the angle between the directions in which it is entered and left, in [0, pi] [rad]."""
+        one, other = self.tool.tool(np.array((0.0, self.tool.length))).d1[:, :3]
+        sine = np.linalg.norm(np.cross(one, other))
+        return math.atan2(float(sine), float(one @ other))
+
 
 @record
 class JointSpaceBlend:
@@ -79,7 +87,23 @@ class JointSpaceBlend:
 
 _overlap = maker(JointSpaceBlend)
 
-Blend = CartesianBlend | JointSpaceBlend
+
+@record
+class Passage:
+    """A point that a curve of moves passes, or a place at which it goes over into a line.
+
+    Attributes:
+        zone: distance of the TCP from the point within which the path may leave the lines [m].
+        leave: path parameter on the path before, in its unit.
+        enter: path parameter on the path behind, in its unit.
+    """
+
+    zone: float
+    leave: float
+    enter: float
+
+
+Blend = CartesianBlend | JointSpaceBlend | Passage
 
 
 def blend_between(chain: MotionChain, before: PlannedMove, behind: PlannedMove) -> Blend | Stop:

@@ -5,17 +5,18 @@ import numpy as np
 from ropsim.flow import JointSamples, PoseSetpoints
 from ropsim.kinematics import inverse_near
 from ropsim.motion import JointPath, JointPoints, ToolPath, end_of, sampled_with_error
+from ropsim.planning.moves.interpolator import StandardInterpolator
 from ropsim.planning.moves.inverse_transform import has_named_branches
 from ropsim.planning.records.coordination import Coordination
 from ropsim.planning.records.motion_chain import MotionChain
 from ropsim.planning.records.sampling import SMOOTH
 from ropsim.spatial import Array, Pose
 
-_STEPS = (64, 128, 256, 512, 1024)
-"""Samples of a blend of this kind, as many as it needs."""
+_FEWEST, _MOST = 64, 16
+"""Samples of a short path of this kind, and how many times more it may need."""
 _FAR = 0.5
 """A greater distance from the expected coordinates [rad | m] means another posture."""
-_SAME = 1e-6
+SAME_JOINTS = 1e-6
 """Joint coordinates of one posture, found along two paths, are no farther apart [rad | m]."""
 
 
@@ -27,9 +28,9 @@ def joined_to(
     X_MT: Pose,
     along: Coordination | None,
 ) -> JointPath | None:
-    """Return a blend that joins the adjacent moves smoothly.
+    """Return a blend, or a curve of moves, that joins the adjacent moves smoothly.
 
-    Where a pose leaves joints free, the joints followed from the start of the blend do not meet those
+    Where a pose leaves joints free, the joints followed from its start do not meet those
     followed along the move before to its end and from there along the next one. The difference in value,
     first and second derivative at both ends is added, as a polynomial of fifth degree between them, and each
     pose is kept.
@@ -46,7 +47,7 @@ def joined_to(
         the path; None where it would end in another posture or the poses cannot be kept.
     """
     if has_named_branches(chain.robot):
-        return joints if np.abs(ends[1].q[0] - end_of(joints)).max() <= _SAME else None
+        return joints if np.abs(ends[1].q[0] - end_of(joints)).max() <= SAME_JOINTS else None
     length, own = path.length, joints.joints(np.array([0.0, path.length]))
     missing = [
         (end.q[0] - own.q[k], (end.d1[0] - own.d1[k]) * length, (end.d2[0] - own.d2[k]) * length**2)
@@ -55,7 +56,8 @@ def joined_to(
     if not max(np.abs(one).max() for several in missing for one in several) < _FAR:
         return None
     added = _between(*missing)
-    for steps in _STEPS:
+    fewest, doublings = max(_FEWEST, StandardInterpolator().steps(path)), range(_MOST.bit_length())
+    for steps in (fewest << doubling for doubling in doublings):
         r = np.arange(steps + 1, dtype=np.float64) / steps
         s = r * length
         near = joints.joints(s).q + np.vander(r, 6, increasing=True) @ added
@@ -66,7 +68,7 @@ def joined_to(
             return None
         q[0], q[-1] = ends[0].q[0], ends[1].q[0]
         error = sampled_with_error(length, q)[1]
-        if steps == _STEPS[-1] or (error is not None and error.max() <= SMOOTH):
+        if steps == fewest * _MOST or (error is not None and error.max() <= SMOOTH):
             return chain.joint_interpolator.refine(JointSamples(length, q))
     return None
 

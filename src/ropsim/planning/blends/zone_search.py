@@ -126,7 +126,7 @@ class _ArmTcpPath(_EvaluatedTcpPath):
 
     def _searched(self, zone: float, clip: float, from_end: float) -> Crossing:
         """Return where the path is in a zone at most `clip` from the end (1.0) or the start (0.0)."""
-        kind, begin, length, size, flat, _ = self._rows
+        kind, begin, length, size, flat, *_ = self._rows
         chain, rows = self._chain, np.concatenate(flat).reshape(size, -1)
         requested = np.array([(self.length, zone, clip, from_end, kind, begin, length, 0.0, size)])
         tcps = self._X_MT.position[np.newaxis]

@@ -20,8 +20,7 @@ from ropsim.planning.joint_limits.limit_grid_kernel import (
     limits_of_cells,
     lower_bounds,
 )
-from ropsim.planning.trajectory.sections import Section, TimingRules
-from ropsim.planning.trajectory.timing_kernel import lay_horizons
+from ropsim.planning.trajectory.sections import Section, TimingRules, planned_section
 from ropsim.spatial import Array, record
 
 _SAME_PARAMETER = 1e-7
@@ -36,7 +35,6 @@ class LimitGrid:
     Attributes:
         part: the planned section.
         begins: path parameters at which its path segments begin, and the end of the last one, shape (p + 1,).
-        moves: number of the move of each path segment, shape (p,).
         borders: from its start on, path limits and path segments end at some of them, shape (c + 1,).
         times: at which the planned section is at the borders, from its start on [s], shape (c + 1,).
         owners: number of the path segment on which each cell lies, shape (c,).
@@ -48,7 +46,6 @@ class LimitGrid:
 
     part: Section
     begins: Array
-    moves: Array
     borders: Array
     times: Array
     owners: Array
@@ -80,16 +77,20 @@ class LimitGrid:
         Args:
             rules: time law and look-ahead.
         """
-        rows, counts, result = np.empty((len(self.owners), 6)), np.empty(len(self.moves)), np.empty(1)
+        rows, counts, result = (
+            np.empty((len(self.owners), 6)),
+            np.empty(len(self.part.path_segments)),
+            np.empty(1),
+        )
         limits_of_cells(self.borders, self.bounds, self.owners, rows, counts, result)
-        rows, ahead = rows[: int(result[0])], rules.look_ahead
-        lay_horizons(self.moves, counts, ahead.moves, ahead.braking, rows)
-        path_limits, law = PathLimits(rows[:, :4]), rules.law(rows, counts)
-        return Section(self.part.path_segments, path_limits, counts.astype(np.intp), law, self.part.over)
+        path_limits = PathLimits(rows[: int(result[0]), :4])
+        return planned_section(
+            self.part.path_segments, path_limits, counts.astype(np.intp), self.part.over, rules
+        )
 
     def with_bounds(self, bounds: Array, causes: Array, share: float) -> "LimitGrid":
         """Return the same with other bounds and causes, of which a cell has the least share of its rate."""
-        fixed = self.part, self.begins, self.moves, self.borders, self.times, self.owners, self.planned
+        fixed = self.part, self.begins, self.borders, self.times, self.owners, self.planned
         return LimitGrid(*fixed, bounds, causes, share)
 
     def cause(self, cell: int) -> tuple[int, Quantity]:
@@ -114,12 +115,7 @@ def limit_grid_of(part: Section, times: Array, start: float) -> LimitGrid:
     section, work = SectionTimes(part.law.segments, part.law.ends, start), np.empty((5, count))
     lay_grid(section, times, np.ascontiguousarray(rows), counts, _SAME_PARAMETER, work[0], work[1:], out)
     begins, grid = out.begins, out.cells
-    c, moves = (
-        int(out.total[0]),
-        np.array([path_segment.move_number for path_segment in part.path_segments], dtype=np.float64),
-    )
+    c = int(out.total[0])
     borders, reached, owners = grid[PARAMETER, : c + 1], grid[TIME, : c + 1], grid[PATH_SEGMENT, :c]
     bounds = grid[FIRST_BOUND:PATH_SEGMENT, :c].copy()
-    return LimitGrid(
-        part, begins, moves, borders, reached, owners, bounds, bounds, np.full((2, c), -1.0), 1.0
-    )
+    return LimitGrid(part, begins, borders, reached, owners, bounds, bounds, np.full((2, c), -1.0), 1.0)

@@ -11,6 +11,8 @@ from ropsim.spatial import Array
 
 FEWEST = 16
 """Steps of the shortest path."""
+FEWEST_EXACT = 4
+"""The same where the derivatives of the joints are known."""
 SAMPLES = 4
 """Steps between the path parameters at which speed and rotation of a path are evaluated."""
 
@@ -38,12 +40,30 @@ class StandardInterpolator:
             path.length, path.tool(even_parameters(path.length, sampling * self.steps(path))).matrices
         )
 
+    def sample_at(self, path: ToolPath, s: Array) -> PoseSetpoints:
+        """Return the poses of the tool with their derivatives at path parameters.
+
+        Args:
+            path: of the tool.
+            s: path parameters, rising from 0 to its length, shape (k,).
+        """
+        points = path.tool(s)
+        derivatives = np.array((points.d1, points.d2))
+        return PoseSetpoints(path.length, points.matrices, None, s, derivatives)
+
     def steps(self, path: ToolPath) -> int:
-        """Return how many steps a path has at first."""
+        """Return how many equal steps a path has at first."""
+        return max(FEWEST, self._steps(path))
+
+    def fewest_steps(self, path: ToolPath) -> int:
+        """Return how many steps a path has at first where derivatives of the joints are known."""
+        return max(FEWEST_EXACT, self._steps(path))
+
+    def _steps(self, path: ToolPath) -> int:
         samples = path.tool(even_parameters(path.length, SAMPLES)).d1  # (5, 6)
         squares = np.add.reduce((samples * samples).reshape(-1, 2, 3), axis=2)
         distance, turn = (np.sqrt(np.maximum.reduce(squares, axis=0)) * path.length).tolist()
-        return max(FEWEST, math.ceil(float(distance) / self.distance), math.ceil(float(turn) / self.turn))
+        return max(math.ceil(float(distance) / self.distance), math.ceil(float(turn) / self.turn))
 
 
 def even_parameters(length: float, steps: int) -> Array:

@@ -4,11 +4,20 @@ from collections.abc import Mapping
 from dataclasses import field
 from functools import lru_cache
 
+import numpy as np
+
 from ropsim.core import Diagnostic
 from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
-from ropsim.kinematics import Method, redundant_solver_of, solver_of
+from ropsim.kinematics import (
+    Method,
+    followed,
+    is_followed,
+    path_derivatives,
+    redundant_solver_of,
+    solver_of,
+)
 from ropsim.model import RobotModel, Tool
-from ropsim.planning.moves.branch_following import BranchFollower
+from ropsim.planning.moves.branch_following import BranchFollower, Follow
 from ropsim.planning.moves.line_check import Line, end_findings, limit_refusals, lost
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.posture_choice import JointRange
@@ -60,8 +69,13 @@ class StandardInverseTransform:
             return Refusal((X_MT,))
         matrices = setpoints.matrices @ _backwards(X_MT)  # X_BM, (k, 4, 4)
         line = Line(move, setpoints, q_start, self.robot)
-        held = line.held
-        if not has_named_branches(self.robot):
+        held, derivatives = line.held, None
+        if setpoints.parameters is not None and setpoints.derivatives is not None and is_followed(self.robot):
+            along = setpoints.parameters, matrices, q_start, X_MT, setpoints.derivatives
+            smooth = followed(self.robot, *along)
+            found = Follow(q_start[np.newaxis], complete=False) if smooth is None else Follow(smooth[0])
+            derivatives = None if smooth is None else smooth[1]
+        elif not has_named_branches(self.robot):
             found = self._follower.follow_numerically(matrices, q_start, held)
         else:
             found = self._follower.follow(matrices, q_start, held)
@@ -71,7 +85,10 @@ class StandardInverseTransform:
                 refusals = (lost(line, found, matrices),)
             if refusals:
                 return Refusal(refusals)
-        return JointSamples(setpoints.length, found.q, end_findings(move, found.q[-1]))
+        if derivatives is None and setpoints.derivatives is not None and setpoints.external is None:
+            derivatives = path_derivatives(self.robot, found.q, X_MT, setpoints.derivatives)
+        findings = end_findings(move, found.q[-1])
+        return JointSamples(setpoints.length, found.q, findings, setpoints.parameters, derivatives)
 
 
 @lru_cache(maxsize=64)

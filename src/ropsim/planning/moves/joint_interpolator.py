@@ -14,9 +14,11 @@ class StandardJointInterpolator:
         """Return the path of the joints through samples.
 
         Args:
-            samples: at equally spaced path parameters, two or more rows.
+            samples: at equally spaced path parameters, or with their derivatives; two or more rows.
         """
-        return SampledPath(samples.length, samples.q)
+        if samples.derivatives is None or samples.parameters is None:
+            return SampledPath(samples.length, samples.q)
+        return SampledPath(samples.length, samples.q, samples.derivatives, samples.parameters)
 
     def refine_with_roughness(self, samples: JointSamples) -> tuple[JointPath, Array | None]:
         """Return the same, and how far the path through every second sample passes the others [rad | m].

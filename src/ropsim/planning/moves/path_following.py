@@ -10,6 +10,7 @@ from ropsim.flow import JointSamples, MoveInstruction, PoseSetpoints
 from ropsim.motion import JUMP_ON_LINE, JointPath, Refined, ToolPath, ToolSection, joins, parts_by_error
 from ropsim.planning.entity_checks.entity_faults import guarded
 from ropsim.planning.entity_checks.path_faults import unusable_path, unusable_samples, unusable_setpoints
+from ropsim.planning.moves.exact_following import follow_exactly
 from ropsim.planning.moves.joint_interpolator import StandardJointInterpolator
 from ropsim.planning.records.coordination import Coordination
 from ropsim.planning.records.entities import JointInterpolator, Refusal
@@ -31,7 +32,8 @@ def follow_path(
 ) -> tuple[JointPath, tuple[Diagnostic, ...]] | Refusal:
     """Return the path of the joints that moves the tool along a path, and the findings on it.
 
-    Where the joints turn too fast from sample to sample, near a singularity, samples are taken more densely;
+    Away from singularities samples have exact derivatives, see `follow_exactly`. Otherwise, where the joints
+    turn too fast from sample to sample, near a singularity, samples are taken more densely;
     a path that still jumps is refused. Where a path bends so tightly that all of these samples are too far
     apart, these sections are followed once more separately.
 
@@ -42,6 +44,8 @@ def follow_path(
         move: the instruction.
         coordination: external axes that go along; None where they stand.
     """
+    if coordination is None and (exactly := follow_exactly(chain, path, q_start, move)):
+        return exactly
     found = _traced(chain, path, q_start, move, coordination)
     if isinstance(found, Refusal):
         return found

@@ -8,6 +8,7 @@ from ropsim.motion import JointPath, ToolPath, end_of
 from ropsim.planning.entity_checks.entity_faults import guarded
 from ropsim.planning.entity_checks.path_faults import unusable_path, unusable_plan, unusable_tool_path
 from ropsim.planning.moves.move_check import check_duration
+from ropsim.planning.moves.move_curve import OnCurve
 from ropsim.planning.moves.path_following import follow_path
 from ropsim.planning.moves.requested_posture import other_posture
 from ropsim.planning.records.entities import Refusal
@@ -26,6 +27,8 @@ class PlannedMove:
         joints: the path of the joints over the length of the path; None where the move has no length.
         q_end: command joint coordinates at its end [rad | m], shape (n,).
         findings: of planner and inverse transform.
+        on_curve: where it is on the curve that takes the place of its path and of those next to it; None
+            where its own path is flown.
     """
 
     move: MoveInstruction
@@ -33,6 +36,7 @@ class PlannedMove:
     joints: JointPath | None
     q_end: Array
     findings: tuple[Diagnostic, ...]
+    on_curve: OnCurve | None = None
 
     @property
     def tool(self) -> ToolPath | None:

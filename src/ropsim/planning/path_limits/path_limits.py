@@ -1,8 +1,9 @@
 """Bounds of speed, acceleration and jerk along a path segment: one path limit, or several on a bent one."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from math import sqrt
+from typing import NamedTuple
 
 import numpy as np
 
@@ -24,6 +25,8 @@ from ropsim.spatial import Array, frozen
 _SHARES = np.linspace(0.0, 1.0, 33)
 _STRAIGHT = 1e-9
 """A path of the tool whose direction changes by less from end to end is straight."""
+_CALM = 0.95
+"""Where bends leave this share of acceleration and jerk on all of a path, less speed is not quicker."""
 _SAME_PARAMETER = 1e-9
 """Share of a path below which two ends of path limits are one."""
 
@@ -45,7 +48,7 @@ def joint_path_limits(path: JointPath, limits: JointMotionLimits) -> PathLimits:
         rows = path.joints(s)
         return rows.d1[:, :, None], rows.d2[:, :, None]
 
-    return _bent(derivative_bounds_of(sample, _SHARES * path.length, limits), limits, 1.0)
+    return _bent(derivative_bounds_of(sample, _SHARES * path.length, limits), limits, FASTEST)
 
 
 def tool_path_limits(path: ToolPath, limits: ToolLimits) -> PathLimits:
@@ -55,21 +58,37 @@ def tool_path_limits(path: ToolPath, limits: ToolLimits) -> PathLimits:
         path: of the tool.
         limits: of the TCP and of the orientation.
     """
-    return tool_path_limit_choices(path, limits, (1.0,))[0]
+    return tool_path_limit_choices(path, limits, (FASTEST,))[0]
+
+
+class BendSpeeds(NamedTuple):
+    """How fast bends are traversed.
+
+    Attributes:
+        share: of the highest speed that a bend allows, at most 1.
+        level: multiple of the mean of these speeds along the path that none exceeds.
+    """
+
+    share: float
+    level: float
+
+
+FASTEST = BendSpeeds(1.0, np.inf)
 
 
 def tool_path_limit_choices(
-    path: ToolPath, limits: ToolLimits, shares: Sequence[float]
+    path: ToolPath, limits: ToolLimits, choices: Sequence[BendSpeeds]
 ) -> tuple[PathLimits, ...]:
-    """Return bounds along a path of the tool that go together; of an even bend one choice for each share.
+    """Return bounds along a path of the tool that go together; of a bent one those that choices make.
 
     The slower a bend is traversed, the more it leaves for changes of speed on it: not the highest speed is
-    the quickest where the path begins or ends on the bend. Other paths have a single choice.
+    the quickest where the path begins or ends on a bend, or where its bend changes. Where bends take hardly
+    any acceleration or jerk there is a single choice.
 
     Args:
         path: of the tool.
         limits: of the TCP and of the orientation.
-        shares: of the highest speed that the bend allows, falling from 1.
+        choices: how fast bends are traversed, first the fastest.
     """
     if (same := constant_derivatives(path)) is not None:
         return (_even(path.length, same.tolist(), limits),)
@@ -84,25 +103,11 @@ def tool_path_limit_choices(
         return (_straight(path.length, d1, both),)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):  # of a point in which it turns back
         derivative_bounds = derivative_bounds_of(sample, grid(path), both)
-    return _choices(
-        _bent(derivative_bounds, both, shares[0]),
-        lambda share: _bent(derivative_bounds, both, share),
-        shares[1:],
-    )
-
-
-def _choices(
-    first: PathLimits, evaluated: Callable[[float], PathLimits], shares: Sequence[float]
-) -> tuple[PathLimits, ...]:
-    """Return the first choice, and those at lesser shares where these differ."""
-    if len(first) > 1:  # a bend that changes: the reserve for changes of speed is used up where it changes
+    first, straight = _bent(derivative_bounds, both, choices[0]), _straight(path.length, d1, both)
+    if (first.bounds[:, 1:] >= _CALM * straight.bounds[:, 1:]).all():
         return (first,)
-    found = [first]
-    for share in shares:
-        other = evaluated(share)
-        if not any(np.array_equal(other.rows, one.rows) for one in found):
-            found.append(other)
-    return tuple(found)
+    others = (_bent(derivative_bounds, both, choice) for choice in choices[1:])
+    return tuple({one.rows.tobytes(): one for one in (first, *others)}.values())
 
 
 @lru_cache(maxsize=256)
@@ -165,15 +170,16 @@ def _straight(length: float, d1: Array, limits: JointMotionLimits) -> PathLimits
     return PathLimits(row)
 
 
-def _bent(derivative_bounds: DerivativeBounds, limits: JointMotionLimits, share: float) -> PathLimits:
-    """Return bounds that hold together on a bent path, bends traversed at a share of their allowed speed."""
+def _bent(derivative_bounds: DerivativeBounds, limits: JointMotionLimits, choice: BendSpeeds) -> PathLimits:
+    """Return bounds that hold together on a bent path."""
     rates, k = np.array((limits.speed, limits.acceleration, limits.jerk)), len(derivative_bounds.lengths)
     out, result = np.empty((k, 7)), np.empty(1)
     bent_limits(
         derivative_bounds.table,
         derivative_bounds.lengths,
         rates,
-        share,
+        choice.share,
+        choice.level,
         np.empty(k),
         np.empty((k, 3)),
         out,

@@ -21,7 +21,7 @@ from ropsim.spatial import Array
 
 MIXED = 0.5
 """Share of the jerk that a bend leaves along the path that is given up for changes of speed in the bend."""
-ALIKE = (1.1, 2.0, 2.0)
+ALIKE = (1.05, 1.5, 1.5)
 """Factors by which speed, acceleration and jerk of cells differ at most that are made one path limit."""
 
 
@@ -31,6 +31,7 @@ def bent_limits(
     lengths: Array1,
     limits: Array2,
     share: float,
+    level: float,
     speeds: Array1,
     cells: Array2,
     out: Array2,
@@ -46,6 +47,7 @@ def bent_limits(
         lengths: of the cells, shape (k,).
         limits: of speed, acceleration and jerk of the parts, shape (3, p).
         share: of the highest speed that bends allow, at which they are traversed at most.
+        level: multiple of the mean of these speeds that is not exceeded anywhere.
         speeds: work, shape (k,).
         cells: work, shape (k, 3).
         out: where length, speed, acceleration and jerk go, and the greatest of the last three in any cell of
@@ -53,11 +55,16 @@ def bent_limits(
         result: output for their number, shape (1,).
     """
     speeds_within(bounds, limits, speeds)
+    length = time = 0.0
     for i in range(bounds.shape[1]):
         slow = share * speeds[i]
         for part in range(bounds.shape[2]):
             slow = lesser(slow, limits[0, part] / greater(bounds[D1, i, part], TINY))
         speeds[i] = slow
+        length += lengths[i]
+        time += lengths[i] / slow
+    for i in range(bounds.shape[1]):
+        speeds[i] = lesser(speeds[i], level * length / time)
     _write_bounds(bounds, limits, speeds, cells)
     result[0] = _join_alike(lengths, cells, out)
 

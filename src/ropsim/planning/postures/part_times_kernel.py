@@ -45,23 +45,28 @@ def part_times(
 
 
 @kernel
-def longest_cell(q: Array2, derivatives: Array3, max_speeds: Array1, result: Array1) -> None:
-    """Write a time that no joint needs more than from row to row, at its pace anywhere between them.
+def longest_cell(
+    q: Array2, derivatives: Array3, parameters: Array1, max_speeds: Array1, result: Array1
+) -> None:
+    """Write a time that no joint needs more than for a unit of the path parameter, at its pace anywhere.
 
     The first derivative of the polynomial between two rows is nowhere beyond its Bernstein coefficients.
 
     Args:
         q: joint coordinates at the rows [rad | m], shape (k, n).
-        derivatives: first and second ones by the number of the row, shape (2, k, n).
+        derivatives: first and second ones by the path parameter, shape (2, k, n).
+        parameters: path parameters of the rows, shape (k,).
         max_speeds: of the joints [rad/s | m/s], shape (n,).
-        result: output for the time [s], shape (1,).
+        result: output for the time [s by unit], shape (1,).
     """
     result[0] = 0.0
     for k in range(q.shape[0] - 1):
+        step = parameters[k + 1] - parameters[k]
         for j in range(q.shape[1]):
             v, w = derivatives[0, k, j], derivatives[0, k + 1, j]
-            first, last = v + 0.25 * derivatives[1, k, j], w - 0.25 * derivatives[1, k + 1, j]
-            middle = 5.0 * (q[k + 1, j] - q[k, j]) - (v + first + last + w)
+            bend = 0.25 * step
+            first, last = v + bend * derivatives[1, k, j], w - bend * derivatives[1, k + 1, j]
+            middle = 5.0 * (q[k + 1, j] - q[k, j]) / step - (v + first + last + w)
             most = max(abs(v), abs(w), abs(first), abs(last), abs(middle))
             result[0] = max(result[0], most / max_speeds[j])
 

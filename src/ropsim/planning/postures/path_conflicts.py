@@ -112,9 +112,8 @@ def _is_calm(robot: RobotModel, move: PlannedMove) -> bool:
     if path is None or not has_straight_tcp(path) or type(joints) is not SampledPath:
         return False
     longest = np.empty(1)
-    longest_cell(joints.q, joints.derivatives, max_speeds_of(robot), longest)
-    at_tool_speed = path.length / max(move.planned.limits.tool.speed, _TINY) / (len(joints.q) - 1)
-    return bool(longest[0] * WHIRL <= at_tool_speed)
+    longest_cell(joints.q, joints.derivatives, joints.parameters, max_speeds_of(robot), longest)
+    return bool(longest[0] * WHIRL <= 1.0 / max(move.planned.limits.tool.speed, _TINY))
 
 
 def _times(robot: RobotModel, move: PlannedMove) -> tuple[Array, Array, float]:

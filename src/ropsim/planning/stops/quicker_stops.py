@@ -1,9 +1,10 @@
-"""Blends at which the arm is quicker when it stops: zones are left there, so that no zone costs time."""
+"""Sharp blends at which the arm is quicker when it stops: zones are left there."""
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 
-from ropsim.planning.blends.blend import Blend
+from ropsim.planning.blends.blend import Blend, CartesianBlend, JointSpaceBlend
 from ropsim.spatial import record
 
 _FURTHEST = 4
@@ -11,6 +12,9 @@ _FURTHEST = 4
 motion."""
 _WORTH = 1e-6
 """Share of the time from stop to stop that other stops have to save: rounding saves less."""
+
+_RIGHT_ANGLE = 0.5 * math.pi + 1e-6
+"""With some rounding [rad]."""
 
 Span = tuple[int, int]
 """Number of the first move, and that behind the last one."""
@@ -59,11 +63,24 @@ def quicker_stops(
             continue
         whole = sum(taken) > sum(alone[first:last])
         indices = [
-            number + 1 for number in range(last - first - 1) if whole or slow[number] or slow[number + 1]
+            number + 1
+            for number in range(last - first - 1)
+            if (whole or slow[number] or slow[number + 1]) and can_stop(blends[first + number])
         ]
         stops = _shortest([first, *(first + index for index in indices), last], sum(taken), times)
         found += (stop - 1 for stop in stops)
     return tuple(found)
+
+
+def can_stop(blend: Blend | None) -> bool:
+    """Return whether a blend may become a stop where that is quicker.
+
+    No controller stops at a corner of up to a right angle that has a zone, however small: it passes slowly.
+    Amid a curve there is no way through the point itself.
+    """
+    if isinstance(blend, CartesianBlend):
+        return blend.turn > _RIGHT_ANGLE
+    return isinstance(blend, JointSpaceBlend)
 
 
 def _runs(blends: Sequence[Blend | None]) -> Iterator[Span]:

@@ -1,6 +1,8 @@
 """How long moves of a sequence take from rest to rest: at least, by limits of the tool, and within all."""
 
 from collections.abc import Sequence
+from dataclasses import replace
+from math import inf
 
 import numpy as np
 
@@ -20,6 +22,8 @@ def times_alone(
 ) -> tuple[float, ...]:
     """Return the times that moves take from rest to rest by the limits of their paths [s].
 
+    Amid a curve of moves there is no stop: infinity stands for the time of a move there.
+
     Args:
         moves: the moves.
         parts: of the moves with blends between them.
@@ -29,7 +33,7 @@ def times_alone(
     for part in parts:
         for path_segment in part.path_segments:
             path = moves[path_segment.move_number].joints
-            if path_segment.blend is not None or path is None or not path_segment.is_even:
+            if path_segment.ends or path is None or not path_segment.is_even:
                 continue
             is_whole = len(part.path_segments) == 1 and path_segment.joints is path
             found[path_segment.move_number] = (
@@ -38,8 +42,10 @@ def times_alone(
     for number, move in enumerate(moves):
         if own := own_law_of(move.joints):
             found[number] = own.duration
+        elif move.on_curve and not (move.on_curve.is_first or move.on_curve.is_last):
+            found[number] = inf
         elif number not in found:
-            found[number] = _timing([move], [], rules).duration
+            found[number] = _timing([replace(move, on_curve=None)], [], rules).duration
     return tuple(found[number] for number in range(len(moves)))
 
 

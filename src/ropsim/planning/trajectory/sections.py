@@ -5,16 +5,15 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from ropsim.model import LookAhead
 from ropsim.motion import PathLimits, TimeLaw, TimeLawPlanner, own_law_of
 from ropsim.planning.blends.blend import JointSpaceBlend
+from ropsim.planning.trajectory.move_borders import Counts, on_moves
 from ropsim.planning.trajectory.segments import JoinedSegments, PathSegment
 from ropsim.planning.trajectory.timing_kernel import lay_horizons
 from ropsim.spatial import Array, record
 
-Counts = npt.NDArray[np.intp]
 _NOTHING = np.zeros(1, dtype=np.intp)
 
 
@@ -110,14 +109,15 @@ def planned_section(
         over: how they go over into the next ones; None where they stop.
         rules: time law and look-ahead.
     """
-    bounds = np.empty((len(path_limits), 6))
-    bounds[:, :4] = path_limits.rows
-    moves, many = (
-        np.array([path_segment.move_number for path_segment in path_segments], np.float64),
-        counts.astype(np.float64),
-    )
-    lay_horizons(moves, many, rules.look_ahead.moves, rules.look_ahead.braking, bounds)
-    return Section(tuple(path_segments), path_limits, counts, rules.law(bounds, many), over)
+    divided = on_moves(path_segments, path_limits.rows, counts)
+    bounds = np.empty((len(divided.rows), 6))
+    bounds[:, :4] = divided.rows
+    ahead = rules.look_ahead
+    lay_horizons(divided.moves, divided.of_moves, ahead.moves, ahead.braking, bounds)
+    law = rules.law(bounds, divided.counts.astype(np.float64))
+    if divided.rows is not path_limits.rows:
+        path_limits = PathLimits(divided.rows)
+    return Section(tuple(path_segments), path_limits, divided.counts, law, over)
 
 
 def _quickest(

@@ -1,6 +1,8 @@
-"""Path segments of a sequence: parts of the paths of moves, and blends between them."""
+"""Path segments of a sequence: parts of the paths of moves, blends between them, and curves of many moves."""
 
 from collections.abc import Sequence
+
+import numpy as np
 
 from ropsim.core import maker
 from ropsim.motion import (
@@ -11,9 +13,12 @@ from ropsim.motion import (
     ToolSection,
     own_law_of,
 )
-from ropsim.planning.blends.blend import Blend, CartesianBlend, JointSpaceBlend
+from ropsim.planning.blends.blend import Blend, CartesianBlend, JointSpaceBlend, Passage
+from ropsim.planning.moves.move_curve import MoveCurve
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.path_limits.path_limits import (
+    FASTEST,
+    BendSpeeds,
     along_with,
     joint_path_limits,
     lesser_limits,
@@ -23,8 +28,14 @@ from ropsim.planning.path_limits.path_limits import (
 from ropsim.planning.records.coordination import Coordination
 from ropsim.spatial import Pose, record
 
-_SHARES = (1.0, 0.9, 0.81, 0.729, 0.656, 0.59, 0.531, 0.478)
-"""Of the highest speed that a bend allows: shares that are tried on the path of a move."""
+_CHOICES = (
+    FASTEST,
+    *(BendSpeeds(1.0, level) for level in (1.1, 0.95, 0.82, 0.7, 0.58)),
+    *(BendSpeeds(share, 2.0) for share in (0.9, 0.81)),
+    *(BendSpeeds(share, np.inf) for share in (0.729, 0.656)),
+    BendSpeeds(0.9, 1.1),
+)
+"""What is tried on the path of a move; of 55 combinations those that make random splines quickest."""
 _NOTHING = 1e-9
 """Share of a path below which nothing is left of it between two blends."""
 _NO_LIMITS = PathLimits.of(())
@@ -35,7 +46,7 @@ class PathSegment:
     """A part of the timing.
 
     Attributes:
-        move_number: number of the move that it belongs to; a blend belongs to the move before it.
+        move_number: number of the move on which it begins; a blend belongs to the move before it.
         joints: its path in joint space.
         tool: its path of the tool, in the base frame or that of the coordination; None without one.
         X_MT: the tool.
@@ -44,6 +55,7 @@ class PathSegment:
         coordination: external axes that go along with the path of the tool; None where they stand.
         begin: path parameter at which it begins on the path of its move, in the unit of that; 0 for a blend.
         gentler: other bounds along it, with less speed and more acceleration in its bends.
+        ends: path parameters before its end at which moves end, from `move_number` on.
     """
 
     move_number: int
@@ -55,6 +67,12 @@ class PathSegment:
     coordination: Coordination | None = None
     begin: float = 0.0
     gentler: tuple[PathLimits, ...] = ()
+    ends: tuple[float, ...] = ()
+
+    @property
+    def last_move(self) -> int:
+        """Return the number of the move on which it ends."""
+        return self.move_number + len(self.ends)
 
     @property
     def is_even(self) -> bool:
@@ -75,24 +93,25 @@ def segments_of(moves: Sequence[PlannedMove], blends: Sequence[Blend | None]) ->
         moves: the moves.
         blends: between each two of them; None where the arm stops there, or where one has no length.
     """
-    parts: dict[int, tuple[float, float]] = {}
-    enters = 0.0
-    for number, (move, blend) in enumerate(zip(moves, (*blends, None), strict=True)):
-        if move.joints is None:
-            continue
-        length = move.joints.length
-        leaves = blend.leave if isinstance(blend, CartesianBlend) else length
-        if leaves - enters > _NOTHING * length:
-            parts[number] = enters, leaves
-        enters = blend.enter if isinstance(blend, CartesianBlend) else 0.0
     sections: list[JoinedSegments] = []
     path_segments: list[PathSegment] = []
+    enters = 0.0
     for number, (move, blend) in enumerate(zip(moves, (*blends, None), strict=True)):
-        if number in parts:
-            path_segments.append(_straight(number, move, *parts[number]))
+        if move.joints is None or (move.on_curve and not move.on_curve.is_last):
+            continue
+        curve = move.on_curve.curve if move.on_curve else None
+        length = curve.length if curve else move.joints.length
+        leaves = length if blend is None or isinstance(blend, JointSpaceBlend) else blend.leave
+        if leaves - enters > _NOTHING * length:
+            path_segments.append(
+                _along_curve(number, move, curve, enters, leaves)
+                if curve
+                else _straight(number, move, enters, leaves)
+            )
+        enters = 0.0 if blend is None or isinstance(blend, JointSpaceBlend) else blend.enter
         if isinstance(blend, CartesianBlend):
             path_segments.append(_round(number, move, moves[number + 1], blend))
-        elif move.joints is not None:
+        elif not isinstance(blend, Passage):
             sections.append((path_segments, blend))
             path_segments = []
     return sections
@@ -107,14 +126,23 @@ def _straight(number: int, move: PlannedMove, first: float, last: float) -> Path
         joints = _section(joints, first, last)
     if tool is None:
         path_limits = _NO_LIMITS if own_law_of(joints) else joint_path_limits(joints, planned.limits.joints)
-        return _path_segment(number, joints, None, planned.X_MT, path_limits, None, None, first, ())
+        return _path_segment(number, joints, None, planned.X_MT, path_limits, None, None, first, (), ())
     if not whole:
         tool = ToolSection(tool, first, last)
         coordination = coordination.part(first, last) if coordination else None
-    choices = tool_path_limit_choices(tool, planned.limits.tool, _SHARES)
+    choices = tool_path_limit_choices(tool, planned.limits.tool, _CHOICES)
     path_limits, *gentler = (along_with(one, coordination) for one in choices)
     return _path_segment(
-        number, joints, tool, planned.X_MT, path_limits, None, coordination, first, tuple(gentler)
+        number,
+        joints,
+        tool,
+        planned.X_MT,
+        path_limits,
+        None,
+        coordination,
+        first,
+        tuple(gentler),
+        (),
     )
 
 
@@ -122,6 +150,27 @@ def _round(number: int, before: PlannedMove, behind: PlannedMove, blend: Cartesi
     X_MT = before.planned.X_MT
     least = lesser_limits(before.planned.limits.tool, behind.planned.limits.tool)
     path_limits = along_with(tool_path_limits(blend.tool, least), blend.coordination)
+    ends = (0.5 * blend.joints.length,)
     return _path_segment(
-        number, blend.joints, blend.tool, X_MT, path_limits, blend, blend.coordination, 0.0, ()
+        number, blend.joints, blend.tool, X_MT, path_limits, blend, blend.coordination, 0.0, (), ends
+    )
+
+
+def _along_curve(number: int, move: PlannedMove, curve: MoveCurve, first: float, last: float) -> PathSegment:
+    """Return a part of a curve of moves with the bounds along it.
+
+    Args:
+        number: of its last move.
+        move: that.
+        curve: the curve.
+        first: path parameter at which the part begins [m].
+        last: path parameter at which it ends [m].
+    """
+    joints, tool = JointSection(curve.joints, first, last), ToolSection(curve.tool, first, last)
+    path_limits, *gentler = tool_path_limit_choices(tool, move.planned.limits.tool, _SHARES)
+    parameters = curve.parameters if curve.before else curve.parameters[1:]
+    ends = tuple((parameters[parameters < curve.length] - first).tolist())
+    begins_on = number + 1 - len(parameters)
+    return _path_segment(
+        begins_on, joints, tool, move.planned.X_MT, path_limits, None, None, first, tuple(gentler), ends
     )

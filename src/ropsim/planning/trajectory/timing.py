@@ -1,7 +1,6 @@
 """The timing of a sequence: sections of its parts, one behind or over the other."""
 
 from collections.abc import Sequence
-from itertools import accumulate
 from math import nan
 
 import numpy as np
@@ -106,13 +105,18 @@ def timing_of(parts: Sequence[Section], moves: int) -> Timing:
 
 def _ends(sections: Sequence[TimedSection], moves: int) -> list[float]:
     """Return the nominal times at which moves end [s], see `Timing`."""
-    ends = [0.0] * moves
+    ends = np.zeros(moves)
     for section, overlap in zip(sections, (*[section.overlap for section in sections[1:]], 0.0), strict=True):
         path_segments = section.part.path_segments
-        if len(path_segments) > 1:  # a blend lies between two others
-            blends = [number for number, path_segment in enumerate(path_segments) if path_segment.blend]
-            halves = [path_segments[number].joints.length / 2.0 for number in blends]
-            for number, middle in zip(blends, section.law.times_of(blends, halves).tolist(), strict=True):
-                ends[path_segments[number].move_number] = section.start + middle
-        ends[path_segments[-1].move_number] = section.end - 0.5 * overlap
-    return list(accumulate(ends, max))
+        passing = [number for number, path_segment in enumerate(path_segments) if len(path_segment.ends)]
+        if passing:
+            at = [path_segments[number].ends for number in passing]
+            numbers = np.repeat(passing, [len(one) for one in at])
+            here = [
+                path_segments[number].move_number + np.arange(len(one))
+                for number, one in zip(passing, at, strict=True)
+            ]
+            ends[np.concatenate(here)] = section.start + section.law.times_of(numbers, np.concatenate(at))
+        ends[path_segments[-1].last_move] = section.end - 0.5 * overlap
+    found: list[float] = np.maximum.accumulate(ends).tolist()
+    return found

@@ -64,7 +64,12 @@ class Trajectory:
         sections = self.timing.sections
         if table := self.table:
             numbers = TrajectoryNumbers(
-                table.sections, table.segments, table.path_segments, table.rows, table.slopes
+                table.sections,
+                table.segments,
+                table.path_segments,
+                table.rows,
+                table.slopes,
+                table.parameters,
             )
             requested, n = np.ascontiguousarray(phi, dtype=np.float64), table.rows.shape[1]
             total = np.empty((3, len(phi), n))
@@ -95,7 +100,8 @@ class Trajectory:
             law, coefficients = np.empty((4, len(rows.parameters))), np.empty((COEFFICIENTS, out.shape[2]))
             law[0], law[1], law[2], law[3] = rows.path_segments, rows.parameters, 1.0, 0.0
             first = int(table.sections[number, FIRST_PATH_SEGMENT])
-            points_on(first, table.path_segments, table.rows, table.slopes, law, coefficients, out)
+            traced = table.slopes, table.parameters
+            points_on(first, table.path_segments, table.rows, *traced, law, coefficients, out)
             return JointPoints(out[0], out[1], out[2])
         for path_segment in np.unique(rows.path_segments).tolist():
             here = np.flatnonzero(rows.path_segments == path_segment)
@@ -131,9 +137,8 @@ def _junctions(timing: Timing, table: TrajectoryTable) -> Array:
         table.sections[1:, FIRST_PATH_SEGMENT] - 1.0,
         [section.path_segments[-1].joints.length for section in sections],
     )
-    points_on(
-        0, table.path_segments, table.rows, table.slopes, law, np.empty((COEFFICIENTS, out.shape[2])), out
-    )
+    work, traced = np.empty((COEFFICIENTS, out.shape[2])), (table.slopes, table.parameters)
+    points_on(0, table.path_segments, table.rows, *traced, law, work, out)
     out.flags.writeable = False
     junctions: Array = out[0]
     return junctions

@@ -35,6 +35,7 @@ class TrajectoryNumbers(NamedTuple):
         path_segments: path segments of all runs, shape (p, 6).
         rows: of their paths, shape (l, n).
         slopes: of shape (2, l or fewer, n).
+        parameters: path parameters of the slopes, shape (l or fewer,).
     """
 
     sections: Array2
@@ -42,6 +43,7 @@ class TrajectoryNumbers(NamedTuple):
     path_segments: Array2
     rows: Array2
     slopes: Array3
+    parameters: Array1
 
 
 class TrajectoryWork(NamedTuple):
@@ -70,7 +72,7 @@ def evaluate_trajectory(
         work: buffers.
         total: the motion, shape (3, k, n).
     """
-    sections, segments, path_segments, rows, slopes = table
+    sections, segments, path_segments, rows, slopes, parameters = table
     law, coefficients, held = work
     last, before = sections.shape[0] - 1, 0
     for number in range(last + 1):
@@ -93,6 +95,7 @@ def evaluate_trajectory(
                 path_segments,
                 rows,
                 slopes,
+                parameters,
                 law,
                 count,
                 coefficients,
@@ -107,7 +110,14 @@ def evaluate_trajectory(
 
 @kernel
 def points_on(
-    first: int, path_segments: Array2, rows: Array2, slopes: Array3, law: Array2, work: Array2, points: Array3
+    first: int,
+    path_segments: Array2,
+    rows: Array2,
+    slopes: Array3,
+    parameters: Array1,
+    law: Array2,
+    work: Array2,
+    points: Array3,
 ) -> None:
     """Write the joints and their derivatives by time where a time law of a run is.
 
@@ -116,12 +126,13 @@ def points_on(
         path_segments: of all runs, as for `evaluate_trajectory`, and so are rows and slopes.
         rows: see there.
         slopes: see there.
+        parameters: of the slopes.
         law: numbers of the path segments of the run, rising, path parameters on these, which become those on
             their paths, speeds and accelerations, shape (4, k).
         work: to work in, shape (COEFFICIENTS, n).
         points: where all goes, shape (3, k, n).
     """
-    _evaluate(first, path_segments, rows, slopes, law, law.shape[1], work, 0, points)
+    _evaluate(first, path_segments, rows, slopes, parameters, law, law.shape[1], work, 0, points)
 
 
 def _evaluate(
@@ -129,6 +140,7 @@ def _evaluate(
     path_segments: Array,
     rows: Array,
     slopes: Array,
+    parameters: Array,
     law: Array,
     count: int,
     work: Array,
@@ -144,7 +156,7 @@ def _evaluate(
         path_segment = path_segments[first + int(law[PATH_SEGMENT, begin])]
         for k in range(begin, end):
             law[PARAMETER, k] += path_segment[BEGIN]
-        _in_time(path_segment, rows, slopes, law, begin, end, work, row, total)
+        _in_time(path_segment, rows, slopes, parameters, law, begin, end, work, row, total)
         begin = end
 
 
@@ -152,6 +164,7 @@ def _in_time(
     path_segment: Array,
     rows: Array,
     slopes: Array,
+    parameters: Array,
     law: Array,
     first: int,
     until: int,
@@ -165,7 +178,8 @@ def _in_time(
     if kind == TRACED:
         slope = int(path_segment[FIRST_SLOPE])
         d1, d2 = slopes[0, slope : slope + count], slopes[1, slope : slope + count]
-        traced_in_time(own, d1, d2, (count - 1) / path_segment[LENGTH], law, first, until, work, at, total)
+        s = parameters[slope : slope + count]
+        traced_in_time(own, d1, d2, s, law, first, until, work, at, total)
     elif kind == SYNCHRONISED:
         joints_in_time(own[0], own[1], own[2:], path_segment[LENGTH], law, first, until, at, total)
     else:

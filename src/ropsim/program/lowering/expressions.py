@@ -131,6 +131,13 @@ def _in_frame(scope: Scope, expression: sir.InFrame) -> Type:
     return expression.type
 
 
+def _element(scope: Scope, expression: sir.Element) -> Type:
+    evaluate(scope, expression.index, _INT)
+    scope.used.lists.setdefault(expression.list)
+    scope.emitter.emit("ITEM", expression.list)
+    return expression.type
+
+
 def _home(_: Scope, __: sir.Home) -> NoReturn:
     raise unsound("the home position is a target of PTP moves only")
 
@@ -303,6 +310,7 @@ _EMITTED: dict[type, Callable[[Scope, Any], Type]] = {
     sir.Offset: _offset,
     sir.Keeping: _keeping,
     sir.Kept: _kept,
+    sir.Element: _element,
     sir.Home: _home,
 }
 """How the value of each kind of expression comes onto the stack; each returns its type."""

@@ -1,14 +1,16 @@
 """Moves, with the points on their way -> ICR."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from ropsim.flow import MotionKind, Side
 from ropsim.icr import Type
 from ropsim.program import expressions as sir
 from ropsim.program.diagnostics import unsound
-from ropsim.program.lowering.expressions import evaluate, static_type
+from ropsim.program.lowering.along import curve_through, each_number, placed_elements
+from ropsim.program.lowering.expressions import evaluate, push, static_type
 from ropsim.program.lowering.robot import lower_settings, lower_timeout
-from ropsim.program.move import Guard, Move, Tracking, Trigger
+from ropsim.program.move import Along, Guard, Move, Tracking, Trigger
 from ropsim.program.scope import Scope
 
 _Prefix = tuple[str, str, str]
@@ -26,12 +28,15 @@ def lower_move(scope: Scope, move: Move) -> None:
     single = move.kind in _SINGLE
     if move.kind == MotionKind.PTP and move.tracking is not None:
         raise unsound("a motion in joint space is not corrected by a sensor", move.span)
-    if single and move.via:
+    if single and (move.via or move.along is not None):
         if move.guard is not None:
             raise unsound("a motion through points has no condition that ends it", move.span)
         if move.tracking is not None:
             raise unsound("a motion through points is not corrected by a sensor", move.span)
-        _through(scope, move)
+        if move.along is None:
+            _through(scope, move)
+        else:
+            _along(scope, move, move.along)
         return
     saves = not move.settings.is_empty
     if saves:
@@ -82,6 +87,38 @@ def _through(scope: Scope, move: Move) -> None:
         emit("ZONE.FINE")
     _prefix(scope, at_end)
     _single(scope, move, move.target)
+    _store(scope, move)
+    emit("MODAL.RESTORE")
+
+
+def _along(scope: Scope, move: Move, along: Along) -> None:
+    """Emit a move to each point of a list, which passes it by, and one to the last; see `_through`."""
+    emit, settings = scope.emitter.emit, move.settings
+    fine = isinstance(settings.zone, sir.Constant) and settings.zone.value == 0
+    emit("MODAL.SAVE")
+    lower_settings(scope, replace(settings, zone=None) if fine else settings)
+    point = placed_elements(scope, along)
+    at_end = _operands(scope, tuple(one for one in move.triggers if one.side is Side.BEFORE_END))
+    at_start = _operands(scope, tuple(one for one in move.triggers if one.side is Side.AFTER_START))
+
+    def passed(number: Callable[[], None]) -> None:
+        point(number)
+        emit(_SINGLE[move.kind])
+
+    if along.count > 1:
+        emit("MODAL.SAVE")
+        emit("ZONE.VIA")
+        if at_start:
+            _prefix(scope, at_start)
+            passed(lambda: push(scope, Type.INT, 1))
+        first = 2 if at_start else 1
+        if first < along.count:
+            each_number(scope, first, along.count - 1, passed)
+        emit("MODAL.RESTORE")
+    if fine:
+        emit("ZONE.FINE")
+    _prefix(scope, (*(at_start if along.count == 1 else ()), *at_end))
+    passed(lambda: push(scope, Type.INT, along.count))
     _store(scope, move)
     emit("MODAL.RESTORE")
 
@@ -148,9 +185,14 @@ def _single(scope: Scope, move: Move, point: sir.Expression) -> None:
 
 def _curved(scope: Scope, move: Move) -> None:
     """Emit a path that leads through its points: an arc, a smooth curve."""
-    mnemonic, *operands = _through_points(move)
-    for point in (*move.via, move.target):
-        _evaluate(scope, move, point)
+    mnemonic: str
+    operands: list[str | int]
+    if move.along is not None:
+        mnemonic, *operands = curve_through(scope, move.along)
+    else:
+        mnemonic, *operands = _through_points(move)
+        for point in (*move.via, move.target):
+            _evaluate(scope, move, point)
     if move.angle is not None:
         evaluate(scope, move.angle, Type.REAL)
     _prefix(scope, _operands(scope, move.triggers, move.guard, move.tracking))

@@ -40,6 +40,7 @@ class Lowered:
         channels: that it uses.
         tools: that it uses, by name.
         frames: that it uses, by name.
+        lists: of poses that it uses, by name.
         axes: how many joint coordinates its values have, None where there are none.
         has_guessed_axes: whether it has values of joint coordinates whose number only other procedures
             determine.
@@ -61,6 +62,7 @@ class Lowered:
     channels: tuple[IoChannel, ...]
     tools: tuple[str, ...]
     frames: tuple[str, ...]
+    lists: tuple[str, ...]
     axes: int | None
     has_guessed_axes: bool
     capabilities: tuple[str, ...]
@@ -147,6 +149,7 @@ def joined(
         tuple({one.name: one for part in parts for one in part.channels}.values()),
         tuple(dict.fromkeys(one for part in parts for one in part.tools)),
         tuple(dict.fromkeys(one for part in parts for one in part.frames)),
+        tuple(dict.fromkeys(one for part in parts for one in part.lists)),
         next((one.axes for one in parts if one.axes is not None), None),
         any(one.has_guessed_axes for one in parts),
         tuple(sorted({one for part in parts for one in part.capabilities})),
@@ -182,6 +185,7 @@ def _lowered(scope: Scope, name: str) -> Lowered:
         tuple(used.channels.values()),
         tuple(used.tools),
         tuple(used.frames),
+        tuple(used.lists),
         used.axes,
         used.has_guessed_axes,
         capabilities((Procedure(name, code=code),)),

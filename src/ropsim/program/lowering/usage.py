@@ -16,6 +16,7 @@ class Usage:
         channels: by name, each once.
         tools: by name, each once.
         frames: by name, each once.
+        lists: of poses by name, each once.
         axes: how many joint coordinates the values of the first procedure have that has some, None for none.
         has_guessed_axes: whether one has values of joint coordinates whose number only others determine.
         capabilities: required capabilities of a robot, sorted.
@@ -24,6 +25,7 @@ class Usage:
     channels: tuple[IoChannel, ...]
     tools: tuple[str, ...]
     frames: tuple[str, ...]
+    lists: tuple[str, ...]
     axes: int | None
     has_guessed_axes: bool
     capabilities: tuple[str, ...]
@@ -36,6 +38,7 @@ def joint_usage(parts: Iterable[Lowered | Usage]) -> Usage:
         tuple({one.name: one for part in every for one in part.channels}.values()),
         tuple(dict.fromkeys(chain.from_iterable(one.tools for one in every))),
         tuple(dict.fromkeys(chain.from_iterable(one.frames for one in every))),
+        tuple(dict.fromkeys(chain.from_iterable(one.lists for one in every))),
         next((one.axes for one in every if one.axes is not None), None),
         any(one.has_guessed_axes for one in every),
         tuple(sorted(set(chain.from_iterable(one.capabilities for one in every)))),

@@ -230,11 +230,15 @@ POINT_LIST = define(
     Severity.ERROR,
     "a list of points cannot be read",
     """
-A file `points/NAME.csv` has the names of its columns, their units, and a point on each further line; pitch
-and roll may be empty or left out. They have the meaning of `(x, y, z, pitch, roll)` in the task language: the
-approach direction of the tool is level at pitch 0 and down at pitch 90. A last column `yaw` may follow: the
-azimuth of the approach direction, 0 along +x. Where it is empty it is the azimuth of the point. Lengths are
-in mm, cm, m or inch, angles in deg or rad.
+A file `points/NAME.csv` has the names of its columns, their units, and a point on each further line. Names
+may be empty or left out; pitch and roll, too. These have the meaning of `(x, y, z, pitch, roll)` in the
+task language: the approach direction of the tool is level at pitch 0 and down at pitch 90. A last column
+`yaw` may follow: the azimuth of the approach direction, 0 along +x. Where it is empty it is the azimuth of
+the point. Lengths are in mm, cm, m or inch, angles in deg or rad. A list has at most 100 000 points.
+
+Cells are separated by commas, by semicolons or by tabs, as the first line shows. Where these are no commas,
+numbers may have decimal commas, as in `12,5;3,0`. The message is about the marked cell; while a line of a
+list is wrong, no program can use the list.
 
 ```text
 name,x,y,z,pitch,roll
@@ -316,5 +320,28 @@ task(fetch(L), [
   params([L-location]), pre([at(_, L)]),    % gripper(open) is missing
   eff([]), body([call(grip(L)), call(release(L))])]).
 ```
+""",
+)
+
+POINT_TWICE = define(
+    "P162",
+    "point-name-twice",
+    Severity.WARNING,
+    "two points of a list have one name",
+    """
+In programs `rack["p7"]` is the first point of the list that has this name; the others are reached by their
+numbers and by `for each`. Give each point a name of its own, or leave the names of points empty that need
+none.
+""",
+)
+
+POINT_LIST_NAME = define(
+    "P163",
+    "list-not-for-programs",
+    Severity.WARNING,
+    "a list of points whose name programs cannot use",
+    """
+In a program a list of points has the name of its file: letters, digits and `_`, no word of the language,
+and no name that something else of the cell has. Rename the file if programs are to use it.
 """,
 )

@@ -1,23 +1,25 @@
 """Lists of points in files: `points/NAME.csv` with a line of names, one of units and one for each point."""
 
-import csv
-import io
 from collections.abc import Mapping, Sequence
-from pathlib import Path
+from dataclasses import field
+from math import atan2, radians
 
-from ropsim.core import (
-    Diagnostic,
-    LeadsOutError,
-    SourceText,
-    Span,
-    frozen_dataclass,
-    outside_project,
-    place_inside,
-    read_bytes,
-)
-from ropsim.tasks.findings.text_diagnostics import POINT_LIST
+from ropsim.core import Diagnostic, SourceText, did_you_mean, frozen_dataclass
+from ropsim.language import PointTable
+from ropsim.spatial import PoseTuple, approach_orientation, quaternion
+from ropsim.tasks.findings.text_diagnostics import POINT_LIST, POINT_TWICE
 from ropsim.tasks.terms.expression_text import short_text
-from ropsim.tasks.terms.point import Coordinates, typed_numbers, typed_point
+from ropsim.tasks.terms.point import Coordinates, Numbers, typed_numbers, typed_point
+from ropsim.tasks.world.point_cells import (
+    LONGEST,
+    CellError,
+    Separator,
+    cells_of,
+    number_of,
+    place_of,
+    separator_of,
+    shown,
+)
 
 COLUMNS = ("name", "x", "y", "z", "pitch", "roll")
 UNITS = ("", "mm", "mm", "mm", "deg", "deg")
@@ -27,8 +29,14 @@ SCALES: Mapping[str, float] = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "inch": 25.4}
 """Millimetres per unit of a length."""
 DEGREES: Mapping[str, float] = {"deg": 1.0, "rad": 57.29577951308232}
 """Degrees per unit of an angle."""
-MOST_POINTS, MOST_BYTES = 10_000, 2_000_000
-_HINT = f"the first line is `{','.join(COLUMNS)}`, the second its units: `{','.join(UNITS)}`; or also yaw"
+MOST_POINTS, MOST_FINDINGS = 100_000, 20
+LONGEST_NAME = 200
+FARTHEST = 1e9
+"""Largest number of a point [mm, deg]."""
+_QUANTITIES = ("x", "y", "z", "pitch", "roll", YAW[0])
+FORM = f"the first line is `{','.join(COLUMNS)}`, the second its units: `{','.join(UNITS)}`; or also yaw"
+_SAYS_SEPARATOR = "sep="
+"""Begins a line above the titles in which spreadsheets say their separator."""
 
 
 @frozen_dataclass
@@ -37,69 +45,202 @@ class PointList:
 
     Attributes:
         name: of the list.
-        points: name and numbers [mm, deg].
+        points: name and numbers [mm, deg]; the name of a point without one is its number, from 1.
+        lines: of the points in the text.
+        numbers: number of each point that has a name, from 1; of two of one name that of the first.
     """
 
     name: str
     points: tuple[tuple[str, Coordinates], ...]
-
-
-def read_point_list(path: Path) -> tuple[PointList | None, tuple[Diagnostic, ...]]:
-    """Return the list of a file, None where it cannot be read at all; lines that are wrong are left out."""
-    label = path.as_posix()
-    try:
-        content = read_bytes(path, MOST_BYTES) if path.stat().st_size <= MOST_BYTES else b""
-        text = SourceText(label, content.decode("utf-8-sig"))
-    except (OSError, UnicodeDecodeError) as error:
-        return None, (POINT_LIST.at(None, f"`{label}` cannot be read: {error}", hint=_HINT),)
-    return points_of(text, path.stem)
-
-
-def read_point_lists(folder: Path) -> tuple[Mapping[str, PointList], tuple[Diagnostic, ...]]:
-    """Return the lists in `points/*.csv` of a project by name, and their errors."""
-    lists: dict[str, PointList] = {}
-    findings: list[Diagnostic] = []
-    for path in point_files(folder):
-        try:
-            place_inside(folder, path.relative_to(folder))
-        except LeadsOutError as error:
-            findings.append(outside_project(path.as_posix(), error))
-            continue
-        found, wrong = read_point_list(path)
-        findings += wrong
-        if found is not None:
-            lists[found.name] = found
-    return lists, tuple(findings)
-
-
-def point_files(folder: Path) -> tuple[Path, ...]:
-    """Return the files of a project that are lists of points, by name."""
-    return tuple(sorted(one for one in (folder / "points").glob("*.csv") if one.is_file()))
+    lines: tuple[int, ...] = field(default=(), compare=False)
+    numbers: Mapping[str, int] = field(default_factory=dict, compare=False)
 
 
 def points_of(text: SourceText, name: str) -> tuple[PointList | None, tuple[Diagnostic, ...]]:
-    """Return the list of a text, None where its first two lines are wrong."""
-    try:
-        rows = [[cell.strip() for cell in row] for row in csv.reader(io.StringIO("\n".join(text.lines)))]
-    except csv.Error as error:  # a cell is longer than any number or name
-        return None, (POINT_LIST.at(Span.whole_line(text.name, 1), f"this is no table: {error}", hint=_HINT),)
-    heads, units = (*rows[:2], [], [])[:2]
-    scales = _scales(heads, units)
-    if scales is None:
-        span = Span.whole_line(text.name, 1)
-        return None, (
-            POINT_LIST.at(span, "the columns of the list or their units are not known", hint=_HINT),
-        )
-    points: list[tuple[str, Coordinates]] = []
-    findings: list[Diagnostic] = []
-    for number, row in enumerate(rows[2 : 2 + MOST_POINTS], 3):
-        values = _numbers(row, scales)
-        if values is not None:
-            points.append((row[0], values))
-        elif any(row):
-            message = f"this is no point: {len(scales)} numbers behind a name are needed"
-            findings.append(POINT_LIST.at(Span.whole_line(text.name, number), message, hint=_HINT))
-    return PointList(name, tuple(points)), tuple(findings)
+    """Return the list of a text, None where its first two lines are wrong; wrong lines are left out."""
+    reader = _Reader(text)
+    columns = reader.columns()
+    if columns is None:
+        return None, tuple(reader.findings)
+    reader.rows(columns)
+    if not reader.findings and not reader.points:
+        findings = POINT_LIST.at(text.span(columns.first), "the list has no points", hint=FORM)
+        return PointList(name, ()), (findings,)
+    return PointList(name, tuple(reader.points), tuple(reader.lines), reader.numbers), tuple(reader.findings)
+
+
+@frozen_dataclass
+class _Columns:
+    """Columns of a list.
+
+    Attributes:
+        name: index of the one with the names, -1 for none.
+        quantities: index and factor to mm or degrees of x, y, z and the angles that there are.
+        count: how many columns there are.
+        first: number of the first line with a point.
+    """
+
+    name: int
+    quantities: tuple[tuple[int, float], ...]
+    count: int
+    first: int
+
+
+class _Reader:
+    """Reads one text; findings beyond `MOST_FINDINGS` are counted only."""
+
+    def __init__(self, text: SourceText) -> None:
+        self.text = text
+        self.separator = Separator(",")
+        self.findings: list[Diagnostic] = []
+        self.points: list[tuple[str, Coordinates]] = []
+        self.lines: list[int] = []
+        self.numbers: dict[str, int] = {}
+        self._wrong = 0
+
+    def columns(self) -> _Columns | None:
+        """Read titles and units; None where they are wrong, which is reported."""
+        number = 1
+        if self.text.line(1).strip().lower().startswith(_SAYS_SEPARATOR):
+            number = 2
+        titles = self.text.line(number).removeprefix("\ufeff")
+        self.separator = separator_of(titles)
+        try:
+            heads = self._titles(cells_of(titles, self.separator))
+        except CellError as error:
+            self._report(number, error)
+            return None
+        try:
+            scales = self._scales(cells_of(self.text.line(number + 1), self.separator), heads)
+        except CellError as error:
+            self._report(number + 1, error)
+            return None
+        wanted = tuple(word for word in _QUANTITIES if word in heads)
+        places = tuple((heads[word], scales[word]) for word in wanted)
+        return _Columns(heads.get("name", -1), places, len(heads), number + 2)
+
+    def rows(self, columns: _Columns) -> None:
+        """Read the points."""
+        for number, line in enumerate(self.text.lines[columns.first - 1 :], columns.first):
+            if not line or line.isspace():
+                continue
+            if len(self.points) == MOST_POINTS:
+                hint = "cut it into several lists"
+                self._report(number, CellError(-1, f"a list has at most {MOST_POINTS} points", hint))
+                break
+            try:
+                self._row(number, line, columns)
+            except CellError as error:
+                self._report(number, error)
+        if self._wrong > MOST_FINDINGS:
+            message = f"{self._wrong - MOST_FINDINGS} further lines are wrong"
+            self.findings.append(POINT_LIST.at(self.text.span(columns.first), message, hint=FORM))
+
+    def _row(self, number: int, line: str, columns: _Columns) -> None:
+        if len(line) > LONGEST:
+            raise CellError(-1, f"the line has {len(line)} characters, allowed are {LONGEST}", FORM)
+        cells = cells_of(line, self.separator)
+        if not any(cells):
+            return
+        if len(cells) > columns.count and any(cells[columns.count :]):
+            message = f"{len(cells)} cells found, the list has {columns.count} columns"
+            hint = "with decimal commas separate the cells by `;`" if self.separator.sign == "," else FORM
+            raise CellError(columns.count, message, hint)
+        name = cells[columns.name] if columns.name >= 0 else ""
+        if len(name) > LONGEST_NAME:
+            message = f"the name has {len(name)} characters, allowed are {LONGEST_NAME}"
+            raise CellError(columns.name, message, "shorten it")
+        values = self._values(cells, columns)
+        self._named(name, number, columns.name)
+        self.points.append((name or str(len(self.points) + 1), typed_point(values)))
+        self.lines.append(number)
+
+    def _values(self, cells: Sequence[str], columns: _Columns) -> Numbers:
+        """Return the numbers of a point [mm, deg]: angles at its end may be left empty."""
+        places = columns.quantities
+        given = len(places)
+        while given > 3 and not _cell(cells, places[given - 1][0]):
+            given -= 1
+        if given == 4:
+            raise CellError(places[4][0], "pitch and roll stand together", "give both, or leave both empty")
+        found = []
+        for index, scale in places[:given]:
+            value = number_of(_cell(cells, index), index, self.separator) * scale
+            if abs(value) > FARTHEST:
+                message = (
+                    f"`{shown(cells[index])}` is too large, at most {FARTHEST:g} mm or degrees are allowed"
+                )
+                raise CellError(index, message, "check the number and its unit")
+            found.append(value)
+        return tuple(found)
+
+    def _named(self, name: str, line: int, column: int) -> None:
+        """Enter the name of the point that comes next; a second one is warned about."""
+        if not name:
+            return
+        known = self.numbers.setdefault(name, len(self.points) + 1)
+        if known <= len(self.points) and self._counts():
+            message = f"`{shown(name)}` is the name of the point in line {self.lines[known - 1]}, too"
+            place = place_of(self.text, line, column, self.separator)
+            hint = "names stand for the first point that has them: rename one"
+            self.findings.append(POINT_TWICE.at(place, message, hint=hint, data={"found": shown(name)}))
+
+    def _titles(self, cells: Sequence[str]) -> dict[str, int]:
+        """Return the index of each column by its title.
+
+        Raises:
+            CellError: a title is unknown or stands twice, or one is missing.
+        """
+        heads: dict[str, int] = {}
+        while cells and not cells[-1]:
+            cells = cells[:-1]
+        for index, cell in enumerate(cells):
+            word = cell.lower()
+            allowed = ("name", *_QUANTITIES)
+            if word not in allowed:
+                hint = did_you_mean(word[:40], allowed) or FORM
+                message = f"`{shown(cell)}` is no column of a list, which are {', '.join(allowed)}"
+                raise CellError(index, message, hint)
+            if word in heads:
+                raise CellError(index, f"the column `{word}` stands twice", "leave one out")
+            heads[word] = index
+        missing = [word for word in ("x", "y", "z") if word not in heads]
+        if ("pitch" in heads) != ("roll" in heads) or (YAW[0] in heads and "pitch" not in heads):
+            missing += [word for word in ("pitch", "roll") if word not in heads]
+        if missing:
+            raise CellError(-1, f"the columns {', '.join(missing)} are missing", FORM)
+        return heads
+
+    def _scales(self, cells: Sequence[str], heads: Mapping[str, int]) -> dict[str, float]:
+        """Return the factor of each column to mm or degrees.
+
+        Raises:
+            CellError: the line has no units, or an unknown one.
+        """
+        found: dict[str, float] = {}
+        for word in (one for one in _QUANTITIES if one in heads):
+            index = heads[word]
+            unit = _cell(cells, index)
+            allowed = SCALES if word in ("x", "y", "z") else DEGREES
+            if unit not in allowed:
+                units = ", ".join(allowed)
+                message = f"`{shown(unit)}` is no unit of `{word}`, allowed are {units}"
+                if not unit or _is_number(unit, self.separator):
+                    message = f"the second line gives no unit of `{word}`, allowed are {units}"
+                raise CellError(index, message, FORM)
+            found[word] = allowed[unit]
+        return found
+
+    def _counts(self) -> bool:
+        """Count one more finding; return whether it is to be reported."""
+        self._wrong += 1
+        return self._wrong <= MOST_FINDINGS
+
+    def _report(self, number: int, error: CellError) -> None:
+        if self._counts():
+            place = place_of(self.text, number, error.index, self.separator)
+            data = {"line": number, "cell": error.index + 1} if error.index >= 0 else {"line": number}
+            self.findings.append(POINT_LIST.at(place, error.message, hint=error.hint or FORM, data=data))
 
 
 def points_text(points: Sequence[tuple[str, Coordinates]]) -> str:
@@ -114,25 +255,38 @@ def points_text(points: Sequence[tuple[str, Coordinates]]) -> str:
     return "\n".join(rows) + "\n"
 
 
-def _scales(heads: Sequence[str], units: Sequence[str]) -> tuple[float, ...] | None:
-    """Return the factors that convert numbers to millimetres and degrees."""
-    if tuple(heads) not in ((*COLUMNS, YAW[0]), COLUMNS, COLUMNS[:4]) or len(units) != len(heads):
-        return None
-    tables = (SCALES, SCALES, SCALES, DEGREES, DEGREES, DEGREES)
-    found = [table.get(unit) for table, unit in zip(tables, units[1:], strict=False)]
-    return None if None in found else tuple(one for one in found if one is not None)
+def _cell(cells: Sequence[str], index: int) -> str:
+    return cells[index] if index < len(cells) else ""
 
 
-def _numbers(row: Sequence[str], scales: Sequence[float]) -> Coordinates | None:
-    cells = row[1:]
-    while len(cells) > 3 and not cells[-1]:
-        cells = cells[:-1]
+def _is_number(cell: str, separator: Separator) -> bool:
     try:
-        values = [float(cell) for cell in cells]
-    except ValueError:
-        return None
-    if not row[:1] or not row[0] or len(values) not in (3, 5, 6) or len(values) > len(scales):
-        return None
-    if not all(abs(one) < 1e12 for one in values):
-        return None
-    return typed_point(tuple(value * scale for value, scale in zip(values, scales, strict=False)))
+        number_of(cell, 0, separator)
+    except CellError:
+        return False
+    return True
+
+
+_DOWN = (0.0, 1.0, 0.0, 0.0)
+"""Rx(180°): the tool points straight down in its frame, as for three plain numbers in a program."""
+
+
+def point_table(listed: PointList, source: str = "") -> PointTable:
+    """Return a list as programs use it.
+
+    Poses are those of the same numbers in a program: X Y Z, X Y Z Pitch Roll or X Y Z with pitch, roll and
+    yaw of the approach direction. The azimuth of a point with a pitch and no yaw counts in the frame of the
+    list.
+    """
+    poses = tuple([_pose(point) for _, point in listed.points])
+    return PointTable(poses, listed.numbers, source, listed.lines)
+
+
+def _pose(point: Coordinates) -> PoseTuple:
+    numbers = typed_numbers(point)
+    x, y, z = (one / 1000.0 for one in numbers[:3])
+    if len(numbers) == 3:
+        return (x, y, z, *_DOWN)
+    pitch, roll = radians(numbers[3]), radians(numbers[4])
+    yaw = radians(numbers[5]) if len(numbers) == 6 else atan2(y, x)
+    return (x, y, z, *quaternion.unit(approach_orientation(pitch, roll, yaw)))

@@ -12,6 +12,7 @@ from ropsim.userfiles import UNREADABLE, inert_code, missing_file, read_project_
 from ropsim.workbench.project_diagnostics import NO_PROJECT
 from ropsim.workbench.projects.project import Project, ProjectError, cell_name
 from ropsim.workbench.robots.robot_files import Reading, TextOf, read_robot_files, robots_read
+from ropsim.workbench.tasks.point_texts import NO_POINTS, PointTexts, read_point_texts
 from ropsim.workbench.tasks.task_texts import NO_TASKS, TaskTexts, read_task_texts
 from ropsim.workbench.workspace.workspace import Workspace
 
@@ -81,7 +82,8 @@ def _read_folder(folder: Path, workspace: Workspace) -> Project:
     programs, read = _programs(folder), partial(_text, folder)
     cell_file = read(CELL_FILE)
     tasks = read_task_texts(folder, {}, lambda place: str(folder / place))
-    project = assembled(folder, cell_file, programs, read, workspace, tasks)
+    points = read_point_texts(folder, lambda place: str(folder / place))
+    project = assembled(folder, cell_file, programs, read, workspace, tasks, points)
     return replace(project, diagnostics=(*project.diagnostics, *inert_code(folder)))
 
 
@@ -128,6 +130,7 @@ def assembled(
     text_of: TextOf,
     workspace: Workspace,
     tasks: TaskTexts = NO_TASKS,
+    points: PointTexts = NO_POINTS,
 ) -> Project:
     """Return the project that a cell file and programs make.
 
@@ -138,13 +141,15 @@ def assembled(
         text_of: the same of any other file of the project, by its path inside.
         workspace: that reads the project.
         tasks: texts of the tasks that its programs can call.
+        points: texts of the lists of points that they can use.
     """
     cell_text, findings = cell_file
     cell: Cell | None = None
     robots = read_robot_files(folder, robot_files(cell_text), text_of)
     if cell_text is not None:
         read = workspace.cell(cell_text, cell_name(folder), robots_read(robots))
-        cell, findings = read.cell, (*findings, *read.diagnostics)
+        lists = workspace.point_findings(cell_text, cell_name(folder), points)
+        cell, findings = read.cell, (*findings, *read.diagnostics, *points.findings, *lists)
     sources: dict[str, SourceText] = {}
     # a task comes before code of the same name, which is most likely compiled from an older state of it
     for name in sorted(map(PurePath, programs), key=_by_ending):
@@ -152,7 +157,7 @@ def assembled(
         findings = (*findings, *found)
         if text is not None:
             sources[name.stem if name.stem not in sources else name.name] = text
-    return Project(folder, cell, sources, cell_text, findings, robots, tasks, workspace)
+    return Project(folder, cell, sources, cell_text, findings, robots, tasks, points, workspace)
 
 
 def _programs(folder: Path) -> Mapping[str, Reading]:

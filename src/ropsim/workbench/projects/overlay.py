@@ -15,6 +15,7 @@ from ropsim.workbench.projects.opening import (
 )
 from ropsim.workbench.projects.project import Project, ProjectError
 from ropsim.workbench.robots.robot_files import Reading
+from ropsim.workbench.tasks.point_texts import read_point_texts
 from ropsim.workbench.tasks.task_texts import read_task_texts
 from ropsim.workbench.workspace.workspace import Workspace
 
@@ -40,8 +41,8 @@ def open_overlaid(folder: Path, unsaved: Mapping[str, str], workspace: Workspace
         programs = {PurePosixPath(name).name: _read(folder, name, unsaved) for name in sorted(names)}
         cell_file = _read(folder, CELL_FILE, unsaved)
         text_of = partial(_read, folder, unsaved=unsaved)
-        tasks = read_task_texts(folder, unsaved)
-        return assembled(folder, cell_file, programs, text_of, workspace or Workspace(), tasks)
+        tasks, points = read_task_texts(folder, unsaved), read_point_texts(folder)
+        return assembled(folder, cell_file, programs, text_of, workspace or Workspace(), tasks, points)
     except OSError as error:
         message = f"`{folder}` cannot be opened: {error.strerror or error}"
         raise ProjectError(

@@ -12,6 +12,7 @@ from ropsim.model import ROBOT, Cell, ReadRobot, RobotSource, Station
 from ropsim.workbench.compiling.compiled_project import CompiledProgram, CompiledProject, found_in
 from ropsim.workbench.project_diagnostics import MOVES_SKIPPED, NO_CELL, NO_PROGRAM
 from ropsim.workbench.robots.robot_files import RobotFile, robots_read
+from ropsim.workbench.tasks.point_texts import NO_POINTS, PointTexts
 from ropsim.workbench.tasks.task_texts import NO_TASKS, TaskTexts
 from ropsim.workbench.workspace.workspace import Workspace
 
@@ -66,6 +67,7 @@ class Project:
         diagnostics: findings of reading.
         robot_files: files of robots that the cell names, with the robots read from them.
         tasks: texts of the tasks that its programs can call besides their own.
+        points: texts of the lists of points that its programs can use.
         workspace: that has read it, and keeps results for its texts; not part of the content of the project.
     """
 
@@ -76,6 +78,7 @@ class Project:
     diagnostics: tuple[Diagnostic, ...] = field(default=())
     robot_files: Mapping[RobotSource, RobotFile] = field(default_factory=dict)
     tasks: TaskTexts = NO_TASKS
+    points: PointTexts = NO_POINTS
     workspace: Workspace = field(default_factory=Workspace, repr=False, compare=False)
 
     def __repr__(self) -> str:
@@ -96,6 +99,7 @@ class Project:
         """Return all texts of the project, by the names that spans use."""
         robots = (one.text for one in self.robot_files.values())
         every = (*self.sources.values(), self.cell_text, *robots, *self.tasks.own, *self.tasks.users)
+        every = (*every, *self.points.texts.values())
         return {text.name: text for text in every if text is not None}
 
     @property
@@ -138,7 +142,9 @@ class Project:
     def compiled_text(self, text: SourceText, station: Station | None) -> CompiledProgram:
         """Return a task or ICR text (by its ending), compiled for a station; None stands for the first."""
         name = station.name if station is not None else ""
-        at = self.workspace.at(self.cell_text, cell_name(self.folder), name, self.robots, self.tasks)
+        at = self.workspace.at(
+            self.cell_text, cell_name(self.folder), name, self.robots, self.tasks, self.points
+        )
         return self.workspace.compiled(text, at)
 
     def program(self, name: str | None = None) -> CompiledProgram:

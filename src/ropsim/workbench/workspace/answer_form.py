@@ -78,6 +78,7 @@ _KINDS: tuple[type, ...] = (
     language.TaskForm,
     language.ParameterForm,
     language.Environment,
+    language.PointTable,
     icr.Program,
     icr.Procedure,
     icr.Variable,
@@ -87,6 +88,7 @@ _KINDS: tuple[type, ...] = (
     icr.IoChannel,
     icr.LibraryText,
     icr.FrameDefinition,
+    icr.PoseList,
     icr.ToolDefinition,
     SignalUse,
 )

@@ -20,6 +20,7 @@ from ropsim.workbench.compiling.at_station import AtStation, unbound
 from ropsim.workbench.compiling.compiled_project import CheckedText, CompiledProgram
 from ropsim.workbench.compiling.environment import environment_of
 from ropsim.workbench.tasks.declared_tasks import declared_tasks
+from ropsim.workbench.tasks.point_texts import NO_POINTS, PointTexts, ReadTable, read_table, taken_names
 from ropsim.workbench.tasks.task_texts import NO_TASKS, TaskEngine, TaskTexts
 from ropsim.workbench.workspace.answer_form import (
     Translation,
@@ -81,6 +82,11 @@ def tasks_of(name: str) -> Hashable:
     return "tasks", name
 
 
+def points_of(name: str) -> Hashable:
+    """Return the name of the input that is the texts of lists of points of the project of a cell file."""
+    return "points", name
+
+
 def cell(db: Database, name: str, folder: str) -> ReadCell:
     """Return the cell that a cell file describes."""
     text: SourceText | None = db.read(text_of(name))
@@ -95,7 +101,40 @@ def cell_environment(db: Database, at: AtStation) -> language.Environment:
 
 def environment(db: Database, at: AtStation) -> language.Environment:
     """Return the names for programs at a station, without the tasks of knowledge bases."""
-    return replace(db.ask(cell_environment, at), listed=db.ask(listed_tasks, at.cell))
+    around = db.ask(cell_environment, at)
+    lists = db.ask(point_tables, at.cell)
+    own = {name: one for name, one in lists.items() if not _has(around, name)} if lists else lists
+    return replace(around, listed=db.ask(listed_tasks, at.cell), lists=own)
+
+
+def _has(around: language.Environment, name: str) -> bool:
+    """Return whether a cell has something of that name."""
+    tables = (around.frames, around.tools, around.locations, around.signals, around.others_tools)
+    return any(name in one for one in tables)
+
+
+def point_table(db: Database, cell: str, name: str) -> ReadTable:
+    """Return a list of points of a project."""
+    return read_table(db.ask(point_text, cell, name), name)
+
+
+def point_text(db: Database, cell: str, name: str) -> SourceText:
+    """Return the text of a list of points of a project."""
+    return _point_texts(db, cell).texts[name]
+
+
+def point_tables(db: Database, cell: str) -> Mapping[str, language.PointTable]:
+    """Return the lists of points that programs of a project can use."""
+    found = {name: db.ask(point_table, cell, name).table for name in _point_texts(db, cell).texts}
+    return {name: one for name, one in found.items() if one is not None}
+
+
+def point_findings(db: Database, name: str, folder: str) -> tuple[Diagnostic, ...]:
+    """Return the findings in the lists of points of the project of a cell file."""
+    texts = _point_texts(db, name).texts
+    found = [one for listed in texts for one in db.ask(point_table, name, listed).diagnostics]
+    around = db.ask(cell, name, folder).cell if texts else None
+    return (*found, *taken_names(texts, around)) if around is not None else tuple(found)
 
 
 def listed_tasks(db: Database, cell: str) -> tuple[str, ...]:
@@ -322,6 +361,11 @@ def _station(db: Database, at: AtStation) -> tuple[Cell | None, Station | None]:
 def _task_texts(db: Database, cell: str) -> TaskTexts:
     texts: TaskTexts | None = db.read(tasks_of(cell))
     return texts or NO_TASKS
+
+
+def _point_texts(db: Database, cell: str) -> PointTexts:
+    texts: PointTexts | None = db.read(points_of(cell)) if cell else None
+    return texts or NO_POINTS
 
 
 def _text(db: Database, name: str) -> SourceText:

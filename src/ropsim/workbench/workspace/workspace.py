@@ -6,11 +6,12 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from ropsim import icr, language
-from ropsim.core import Category, KeptFiles, SourceText
+from ropsim.core import Category, Diagnostic, KeptFiles, SourceText
 from ropsim.model import ROBOT, ReadRobot, RobotSource
 from ropsim.query import Database, Event
 from ropsim.workbench.compiling.at_station import NOWHERE, AtStation
 from ropsim.workbench.compiling.compiled_project import CheckedText, CompiledProgram, at_stations
+from ropsim.workbench.tasks.point_texts import NO_POINTS, PointTexts
 from ropsim.workbench.tasks.task_texts import NO_TASKS, TaskEngine, TaskTexts
 from ropsim.workbench.workspace import questions
 from ropsim.workbench.workspace.answer_form import UnknownFormError, written
@@ -73,6 +74,7 @@ class Workspace:
         station: str,
         robots: Mapping[RobotSource, ReadRobot] = questions.NO_ROBOTS,
         tasks: TaskTexts = NO_TASKS,
+        points: PointTexts = NO_POINTS,
     ) -> AtStation:
         """Return a station of a cell, for queries on programs there; without a cell there is only one.
 
@@ -82,16 +84,26 @@ class Workspace:
             station: name; empty for the first one.
             robots: robots read from the files that the cell file names.
             tasks: texts of the tasks that programs can call.
+            points: texts of the lists of points that they can use.
         """
         if cell_text is None:
             return NOWHERE
         self._give_cell(cell_text, robots)
-        self._db.give({questions.tasks_of(cell_text.name): tasks})
+        self._db.give(
+            {questions.tasks_of(cell_text.name): tasks, questions.points_of(cell_text.name): points}
+        )
         return AtStation(cell_text.name, folder, station)
 
     def environment(self, at: AtStation) -> language.Environment:
         """Return the names for programs at a station."""
         return self._db.ask(questions.environment, at)
+
+    def point_findings(
+        self, cell_text: SourceText, folder: str, points: PointTexts
+    ) -> tuple[Diagnostic, ...]:
+        """Return the findings in lists of points of the project of a cell file; see `at`."""
+        self._db.give({questions.points_of(cell_text.name): points})
+        return self._db.ask(questions.point_findings, cell_text.name, folder)
 
     def knowledge(self, tasks: TaskTexts) -> "KnowledgeBase":
         """Return the knowledge base of some texts, without geometry; good until the next question."""
@@ -165,7 +177,7 @@ class Workspace:
 
     def forget(self, name: str) -> None:
         """Release a text that is not needed any more."""
-        beside = questions.robots_of(name), questions.tasks_of(name)
+        beside = questions.robots_of(name), questions.tasks_of(name), questions.points_of(name)
         self._db.give({questions.text_of(name): None, **dict.fromkeys(beside)})
         self._asked = {one for one in self._asked if one[1] != name}
 

@@ -129,6 +129,10 @@ def test_where_a_curve_bends_within_a_millimetre_the_joints_lead_the_tool_as_tru
     walk = random_walk(chain, np.random.default_rng(130))
     leg = planned_move_of(chain, walk.moves[0], walk.q_start)
     assert isinstance(leg, PlannedMove), leg
+    assert error_of(leg, np.eye(4), chain.robot) < ON_PATH
+    by_differences = replace(chain, interpolator=CountingInterpolator())
+    leg = planned_move_of(by_differences, walk.moves[0], walk.q_start)
+    assert isinstance(leg, PlannedMove), leg
     assert isinstance(leg.joints, Refined)
     assert error_of(leg, np.eye(4), chain.robot) < ON_PATH
     assert error_of(replace(leg, joints=leg.joints.whole), np.eye(4), chain.robot) > 100 * ON_PATH

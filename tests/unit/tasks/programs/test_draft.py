@@ -165,16 +165,16 @@ def test_lengths_of_a_list_are_taken_in_their_unit(unit: str, millimetres: float
     [
         ("", [1]),
         ("name,x,y\n,mm,mm\n", [1]),
-        (f"name,x,y,z\n,mm,mm,mm\n{'a' * 200_000},1,2,3\n", [1]),
-        ("name,x,y,z\n,mm,mm,foot\n", [1]),
-        ("name,x,y,z\n,mm,mm,mm\na,1,2\nb,1,2,3\n,1,2,3\nc,1,2,x\nd,1,2,nan\n\n", [3, 5, 6, 7]),
+        (f"name,x,y,z\n,mm,mm,mm\n{'a' * 200_000},1,2,3\n", [3]),
+        ("name,x,y,z\n,mm,mm,foot\n", [2]),
+        ("name,x,y,z\n,mm,mm,mm\na,1,2\nb,1,2,3\n,1,2,3\nc,1,2,x\nd,1,2,nan\n\n", [3, 6, 7]),
         ('name,x,y,z\n,mm,mm,mm\n"a,1\n', [3]),
     ],
 )
 def test_wrong_lines_of_a_list_are_told(text: str, lines: list[int]) -> None:
     found, findings = points_of(SourceText("p.csv", text), "p")
     assert [one.span and one.span.line for one in findings] == lines
-    assert (found is None) == (lines == [1])
+    assert (found is None) == (lines in ([1], [2]))
 
 
 def test_a_list_that_is_no_text_is_told(tmp_path: Path) -> None:

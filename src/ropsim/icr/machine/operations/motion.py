@@ -1,7 +1,9 @@
 """Operations of motion and gripper."""
 
+import math
 from dataclasses import replace
 from functools import lru_cache
+from itertools import chain
 from struct import Struct
 from typing import NamedTuple
 
@@ -21,7 +23,7 @@ from ropsim.flow import (
 from ropsim.icr.machine import trap_kinds as kinds
 from ropsim.icr.machine.geometry import check_same_frame
 from ropsim.icr.machine.handlers import Datum
-from ropsim.icr.machine.location import Location, external_part, pose_part, posture_of, tag_of
+from ropsim.icr.machine.location import Location, composed, external_part, pose_part, posture_of, tag_of
 from ropsim.icr.machine.operations.command_pose import command_pose
 from ropsim.icr.machine.site import Operation, Site, barrier
 from ropsim.icr.machine.state import Commanded, CommandedJoints, Finished, Registers
@@ -75,6 +77,15 @@ def _move_arc_angle(registers: Registers, _world: World, site: Site) -> Instruct
 
 def _move_curve(registers: Registers, _world: World, site: Site) -> Instruction:
     return _moved(registers, site, MotionKind.SPLINE, _taken(registers, site.operand))
+
+
+def _move_along(registers: Registers, _world: World, site: Site) -> Instruction:
+    """Hand out a curve through all poses of a list."""
+    before, behind = _taken(registers, 2)
+    points = tuple(composed(composed(before, one), behind) for one in site.operand)
+    if not all(map(math.isfinite, chain.from_iterable(map(pose_part, points)))):
+        raise out_of_range(f"a pose of `{site.mnemonic}` is not finite")
+    return _moved(registers, site, MotionKind.SPLINE, points)
 
 
 def _taken(registers: Registers, count: int) -> tuple[Datum, ...]:
@@ -177,6 +188,7 @@ MOTION: dict[str, Operation] = {
     "MOVE.CIRC": _move_arc,
     "MOVE.CIRC.A": _move_arc_angle,
     "MOVE.SPL": _move_curve,
+    "MOVE.SPL.L": _move_along,
     "HOME": _home,
     "TRIG.DIST": _trigger,
     "TRIG.TIME": _trigger,

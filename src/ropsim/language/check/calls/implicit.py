@@ -179,6 +179,8 @@ def _inner(node: nodes.Node) -> tuple[nodes.Node | None, ...]:
             return node.left, node.right
         case nodes.Unary() | nodes.Rebase() | nodes.State() | nodes.Member():
             return (node.operand,)
+        case nodes.Index():
+            return node.operand, node.index
         case nodes.External():
             return node.operand, *node.values
         case nodes.Function() | nodes.Joints():
@@ -194,4 +196,5 @@ def _inner(node: nodes.Node) -> tuple[nodes.Node | None, ...]:
 _EXPRESSIONS = (
     nodes.Number, nodes.Text, nodes.Literal, nodes.Unary, nodes.Binary, nodes.Rebase, nodes.External,
     nodes.State, nodes.Function, nodes.Tuple, nodes.Joints, nodes.Member,
+    nodes.Index,
 )  # fmt: skip

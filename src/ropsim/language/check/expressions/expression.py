@@ -4,7 +4,7 @@ from functools import lru_cache
 
 from ropsim.icr import MAX_AXES
 from ropsim.language.check.doubts import radians
-from ropsim.language.check.expressions import arithmetic, components, convert, functions, poses, values
+from ropsim.language.check.expressions import arithmetic, components, convert, functions, lists, poses, values
 from ropsim.language.check.scope import fold
 from ropsim.language.check.scope.body import Body, Expressions
 from ropsim.language.check.scope.types import (
@@ -163,5 +163,6 @@ EXPRESSIONS: Expressions = {
     nodes.Tuple: poses.location,
     nodes.Joints: _joints,
     nodes.Member: _member,
+    nodes.Index: lists.indexed,
 }
 """How each is checked; values hold values, so the table is handed down with the body."""

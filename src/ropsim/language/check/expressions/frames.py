@@ -1,13 +1,20 @@
-"""The frame in force: values read in it, its duration, and probable mistakes for another frame."""
+"""The frame in force: locations read in it, its duration, and probable mistakes for another frame."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from ropsim.language.check.scope import fold
 from ropsim.language.check.scope.body import Body
 from ropsim.language.check.scope.in_force import FrameInForce
+from ropsim.language.check.scope.types import POSE, Value
+from ropsim.language.check.scope.world import Listed
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax.nodes import Name
+from ropsim.program import Element, Expression, ValueType, Variable
 from ropsim.spatial import PoseTuple
+
+EACH = Variable("each", ValueType.INT)
+"""Number of the point in hand of a motion along a list; it stands in no program."""
 
 
 def read(body: Body) -> PoseTuple:
@@ -16,6 +23,18 @@ def read(body: Body) -> PoseTuple:
     if body.ended:
         _warn_of_ended(body)
     return body.in_force.X_KC
+
+
+def listed_point(body: Body, listed: Listed, index: Expression) -> Value:
+    """Return a point of a list, read in the frame in force as if its numbers stood in this line."""
+    number = fold.number_of(index)
+    numbers = (
+        Element(listed.name, index) if number is None else fold.pose(listed.table.points[int(number) - 1])
+    )
+    X_KC = read(body)
+    X_KT = numbers if X_KC == fold.IDENTITY else fold.compose(fold.pose(X_KC), numbers)
+    moving = body.in_force.moving
+    return Value(fold.in_frame(X_KT, moving) if moving else X_KT, POSE, X_KF=X_KC)
 
 
 def set_frame(body: Body, name: Name) -> None:

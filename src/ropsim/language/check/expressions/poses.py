@@ -9,6 +9,7 @@ from ropsim.language.check.expressions import components, convert, frames, postu
 from ropsim.language.check.scope import fold, units
 from ropsim.language.check.scope.body import Body
 from ropsim.language.check.scope.types import ANGLE, JOINTS, LENGTH, POSE, Type, Value, article, known, valued
+from ropsim.language.check.scope.world import Listed
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.language.syntax.lexer import LARGEST
@@ -136,7 +137,7 @@ def rebased(body: Body, node: nodes.Rebase) -> Value:
     The numbers of A are expressed in the frame in force.
     """
     X_KF, moving = body.frame(node.frame)
-    if _is_written(node.operand):
+    if _is_written(body, node.operand):
         with frames.in_frame(body, X_KF, moving):
             return values.check(body, node.operand)
     value = values.check(body, node.operand)
@@ -148,12 +149,17 @@ def rebased(body: Body, node: nodes.Rebase) -> Value:
     return Value(_without_axes(body, fold.compose(change, base)), POSE, X_KF=X_KF)
 
 
-def _is_written(node: nodes.Node) -> bool:
-    """Return whether an expression is a location in numbers, moved by `above`, `offset` and `rel` or not."""
+def _is_written(body: Body, node: nodes.Node) -> bool:
+    """Return whether an expression is a location in numbers, moved by `above`, `offset` and `rel` or not.
+
+    The points of a list are numbers, too.
+    """
     while not isinstance(node, nodes.Tuple):
         match node:
             case nodes.Binary(op="above" | "offset" | "rel", left=inner) | nodes.External(operand=inner):
                 node = inner
+            case nodes.Name(text=name) | nodes.Index(operand=nodes.Name(text=name)):
+                return isinstance(body.find(name), Listed)
             case _:
                 return False
     return True

@@ -2,7 +2,7 @@
 
 from ropsim.core import maker
 from ropsim.language.check.doubts import numerals
-from ropsim.language.check.expressions import convert, other_values
+from ropsim.language.check.expressions import convert, frames, other_values
 from ropsim.language.check.scope.body import Body, RejectedError
 from ropsim.language.check.scope.types import (
     ANGLE,
@@ -16,7 +16,7 @@ from ropsim.language.check.scope.types import (
     known,
     valued,
 )
-from ropsim.language.check.scope.world import Pattern, Poison, Variable
+from ropsim.language.check.scope.world import Listed, Pattern, Poison, Variable
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
@@ -102,6 +102,15 @@ def name(body: Body, node: nodes.Name) -> Value:
                 node,
                 f"`{node.text}` is a pattern, not a value",
                 f"write `for each slot in {node.text}`",
+            )
+        case Listed():
+            if body.with_points(symbol, node) is body.each:
+                return frames.listed_point(body, symbol, frames.EACH)
+            body.fail(
+                kinds.WRONG_TYPE,
+                node,
+                f"`{node.text}` is a list of points, not a value",
+                f"write `for each p in {node.text}`, `lin along {node.text}` or `{node.text}[1]`",
             )
         case Poison():
             raise RejectedError

@@ -10,7 +10,7 @@ from ropsim.language.check.scope.in_force import FrameInForce
 from ropsim.language.check.scope.sight import NOTHING_BEFORE, Sight
 from ropsim.language.check.scope.table import Table
 from ropsim.language.check.scope.types import AnyType, Type, Unknown, Value, known
-from ropsim.language.check.scope.world import OfParameter, Origin, Poison, Symbol, Variable, World
+from ropsim.language.check.scope.world import Listed, OfParameter, Origin, Poison, Symbol, Variable, World
 from ropsim.language.findings import names as kinds
 from ropsim.language.report import Placed, Report
 from ropsim.language.syntax.nodes import Name
@@ -91,6 +91,7 @@ class Body:
         line: the line in hand.
         in_force: the frame in which locations are read.
         ended: name of a frame that was set in a block that has ended, while no location was read since.
+        each: list whose points a motion or loop takes in turn, in the expression in hand; None for none.
         loops: open loops, innermost last.
         depth: nesting of the lines in hand; 1 outside all blocks.
         is_tolerant: unknown names are not reported (the header of the task could not be read).
@@ -139,6 +140,7 @@ class Body:
         self.looked_through = self.line, False
         self.in_force = FrameInForce(sight.X_KC, sight.moving)
         self.ended = sight.ended
+        self.each: Listed | None = None
         self.loops: list[Loop] = []
         self.depth = 0
         self.is_tolerant = False
@@ -223,6 +225,18 @@ class Body:
         if isinstance(symbols, Table):  # others grow while declarations are read
             self._declared_names = found
         return found
+
+    def with_points(self, listed: Listed, name: Name) -> Listed:
+        """Return a list that can be used.
+
+        Raises:
+            RejectedError: its text is wrong, which is reported there.
+        """
+        if not listed.table.points:
+            message = f"the list of points `{listed.name}` cannot be used: its text is wrong"
+            source = listed.table.source
+            self.fail(kinds.UNKNOWN_LIST, name, message, f"mend `{source}`" if source else "mend it")
+        return listed
 
     def truth_signals(self) -> frozenset[str]:
         """Return the names of all signals that are on or off."""
@@ -351,6 +365,15 @@ class Body:
             if before is not None:
                 self.names[name] = before
             self.past.add(name)
+
+    @contextmanager
+    def each_of(self, listed: Listed) -> Iterator[None]:
+        """Let the name of a list mean the point in hand for a while."""
+        self.each = listed
+        try:
+            yield
+        finally:
+            self.each = None
 
     @contextmanager
     def in_loop(self, loop: Loop) -> Iterator[None]:

@@ -1,7 +1,7 @@
 """Declared meaning of a name, which a variable, a parameter or another declaration cannot take."""
 
 from ropsim.language.check.scope.types import POSE, Value, known
-from ropsim.language.check.scope.world import Pattern, Poison, Symbol, Variable, World
+from ropsim.language.check.scope.world import Listed, Pattern, Poison, Symbol, Variable, World
 from ropsim.language.environment import Environment
 from ropsim.program import SignalUse, ValueType
 
@@ -13,6 +13,8 @@ def what(symbol: Symbol) -> str:
             return f"an {'analog ' if kind is ValueType.REAL else ''}{'input' if is_input else 'output'}"
         case Pattern():
             return "a pattern"
+        case Listed():
+            return "a list of points"
         case Value(type=kind):
             return "a location" if known(kind) == POSE else "a constant"
     return "a variable"
@@ -45,5 +47,7 @@ def in_cell(environment: Environment, name: str) -> str:
         return "a tool"
     if name in environment.locations:
         return "a location"
+    if name in environment.lists:
+        return "a list of points"
     signal = environment.signals.get(name)
     return what(signal) if signal is not None else ""

@@ -7,7 +7,7 @@ from ropsim.core import Diagnostic, Span, frozen_dataclass
 from ropsim.flow import PostureRequest
 from ropsim.language.check.scope.types import AnyType, Type, Value
 from ropsim.language.check.scope.units import UnitSystem
-from ropsim.language.environment import Environment
+from ropsim.language.environment import Environment, PointTable
 from ropsim.program import Block, Expression, Local, SignalUse, Task
 from ropsim.spatial import PoseTuple
 
@@ -140,7 +140,15 @@ class Poison:
     """A name whose declaration or first value was wrong: its uses are not reported again."""
 
 
-Symbol = Variable | Value | SignalUse | Pattern | Poison
+@frozen_dataclass
+class Listed:
+    """A list of points of the project, by its name."""
+
+    name: str
+    table: PointTable
+
+
+Symbol = Variable | Value | SignalUse | Pattern | Listed | Poison
 
 
 @frozen_dataclass
@@ -156,7 +164,7 @@ class World:
         X_BK: pose of the work frame in the base frame.
         frames: all frames by name, in the base frame.
         tools: all tools by name.
-        symbols: constants, locations, variables, signals and patterns seen everywhere.
+        symbols: constants, locations, variables, signals, patterns and lists seen everywhere.
         has_axes: whether some frame is turned against the work frame or moves, so that locations keep
             along which axes they are shifted.
         signatures: tasks by name.

@@ -20,7 +20,7 @@ from ropsim.language.check.scope.types import (
     bind,
     known,
 )
-from ropsim.language.check.scope.world import Pattern, Poison, Symbol, Variable
+from ropsim.language.check.scope.world import Listed, Pattern, Poison, Symbol, Variable
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
@@ -135,6 +135,8 @@ def _what(symbol: Symbol) -> str:
             return "the counter of a loop"
         case Pattern():
             return "a pattern"
+        case Listed():
+            return "a list of points"
         case SignalUse(is_input=True):
             return "an input, which the cell sets"
         case SignalUse():

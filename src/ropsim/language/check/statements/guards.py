@@ -29,7 +29,7 @@ def guard(body: Body, node: syntax.Motion) -> Guard | None:
             hint = "write `until condition timeout t`"
             body.fail(kinds.WRONG_TYPE, node.timeout, "a motion has a `timeout` with `until` only", hint)
         return None
-    if node.via and node.word in {"mov", "lin"}:
+    if (node.via or node.along) and node.word in {"mov", "lin"}:
         message = "`until` ends one motion, points on the way make several"
         hint = "write the part that it is to end as a motion of its own"
         body.fail(kinds.WRONG_TYPE, node.condition, message, hint)

@@ -3,11 +3,11 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from ropsim.language.check.expressions import convert, values
+from ropsim.language.check.expressions import convert, frames, poses, values
 from ropsim.language.check.scope import fold, hidden
 from ropsim.language.check.scope.body import Body, Loop, RejectedError
 from ropsim.language.check.scope.types import BOOL, INT, POSE, AnyType, Type, article, known
-from ropsim.language.check.scope.world import Pattern, Poison, Variable
+from ropsim.language.check.scope.world import Listed, Pattern, Poison, Variable
 from ropsim.language.findings import names as name_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
@@ -113,9 +113,11 @@ def for_each(body: Body, node: syntax.ForEach, walk: Walk) -> Block:
     pattern = body.find(node.pattern.text)
     if isinstance(pattern, Poison):
         raise RejectedError
+    if isinstance(pattern, Listed):
+        return _over_list(body, node, body.with_points(pattern, node.pattern), walk)
     if not isinstance(pattern, Pattern):
-        patterns = [n for n, s in body.world.symbols.items() if isinstance(s, Pattern)]
-        body.unknown(name_kinds.UNKNOWN_PATTERN, node.pattern, "pattern", patterns)
+        places = [n for n, s in body.world.symbols.items() if isinstance(s, Pattern | Listed)]
+        body.unknown(name_kinds.UNKNOWN_PATTERN, node.pattern, "pattern or list of points", places)
     name = node.name.text
     _refuse_declared(body, node.name)
     variable = replace(body.loop_variable(name, POSE), is_fixed=True, has_counters=True)
@@ -126,6 +128,20 @@ def for_each(body: Body, node: syntax.ForEach, walk: Walk) -> Block:
         inner = walk()
     nest = _Nest(body, variable.name, pattern, flag if _uses(inner, flag) else "")
     return nest.block(inner)
+
+
+def _over_list(body: Body, node: syntax.ForEach, listed: Listed, walk: Walk) -> Block:
+    """Return a loop over the points of a list, which are read in the frame in force at its header."""
+    _refuse_declared(body, node.name)
+    variable = replace(body.loop_variable(node.name.text, POSE), is_fixed=True)
+    number = body.hidden(f"{variable.name}.number", INT)
+    span = body.statement_span
+    point = frames.listed_point(body, listed, VariableExpression(number.name, _INT))
+    with body.with_name(node.name.text, variable), body.in_loop(Loop("", variable.name)):
+        inner = walk()
+    assign = Assign(variable.name, poses.kept(point, point.expression), span)
+    last = fold.whole(len(listed.table.points))
+    return (For(number.name, fold.whole(1), last, fold.whole(1), (assign, *inner), span),)
 
 
 class _Nest:

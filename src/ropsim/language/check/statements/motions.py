@@ -21,11 +21,12 @@ from ropsim.language.check.scope.types import (
     bind,
     known,
 )
-from ropsim.language.check.statements import actions, assignments, guards, settings, trackings
+from ropsim.language.check.statements import actions, along, assignments, guards, settings, trackings
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.nodes import Literal, Name, Node
 from ropsim.program import (
+    Along,
     Assign,
     Block,
     Expression,
@@ -53,7 +54,11 @@ _OWN = (
 
 def motion(body: Body, node: syntax.Motion) -> Block:
     """Return a move."""
-    target = _point(body, node, node.target, f"the target of `{node.word}`")
+    listed: Along | None = None
+    if node.along is not None:
+        listed, target = along.along(body, node, node.along)
+    else:
+        target = _point(body, node, node.target, f"the target of `{node.word}`")
     via: tuple[Expression, ...] = ()
     if node.via:
         via = tuple(_point(body, node, one, f"a via point of `{node.word}`") for one in node.via)
@@ -66,7 +71,9 @@ def motion(body: Body, node: syntax.Motion) -> Block:
     ends, corrected = guards.guard(body, node), trackings.tracking(body, node)
     store = _store(body, node.store) if node.store is not None else ""
     span = body.statement_span
-    move = _move(_KINDS[node.word], target, chosen, span, via, angle, triggers, ends, corrected, store)
+    move = _move(
+        _KINDS[node.word], target, chosen, span, via, angle, triggers, ends, corrected, store, listed
+    )
     if not store:
         return (move,)
     attained = Variable(store, POSE.value)

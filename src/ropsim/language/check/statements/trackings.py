@@ -25,7 +25,7 @@ def tracking(body: Body, node: syntax.Motion) -> Tracking | None:
     if node.word == "mov":
         message = "`mov` has no path of the tool that a sensor could correct"
         body.fail(kinds.WRONG_TYPE, clause, message, "write `lin`, `circ` or `spline`")
-    if node.via and node.word == "lin":
+    if (node.via or node.along) and node.word == "lin":
         message = "`track` corrects one motion, points on the way make several"
         body.fail(kinds.WRONG_TYPE, clause, message, "write each part as a motion of its own, or a `spline`")
     direction = ToolDirection(clause.direction or ToolDirection.Z)

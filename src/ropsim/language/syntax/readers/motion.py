@@ -1,13 +1,13 @@
 """Lines that move the arm, work the gripper or copy a location."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ropsim.core import maker
 from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, listed, total
 from ropsim.language.syntax.lexer import Token
-from ropsim.language.syntax.nodes import Name, Node
+from ropsim.language.syntax.nodes import Binary, External, Name, Node, Rebase
 from ropsim.language.syntax.readers.left_over import finish
 from ropsim.language.syntax.readers.misplaced import refuse
 from ropsim.language.syntax.readers.setting import QUANTITIES, quantity, set_statement, setting
@@ -21,9 +21,11 @@ from ropsim.language.syntax.statements import (
     Tracking,
     Trigger,
 )
-from ropsim.language.syntax.words import ACTIONS, ALONG, GAIN, NOT_YET, NOT_YET_MODIFIERS, VIA
+from ropsim.language.syntax.words import ACTIONS, ALONG, GAIN, INSIDE, NOT_YET, NOT_YET_MODIFIERS, VIA
 
 _MODIFIERS = (*QUANTITIES, "fine", "tool")
+_BEHIND_TARGETS = frozenset((*INSIDE, "in", "track", "and", "or", "is", "mod"))
+"""Words that go on behind the target of a motion, or behind a value in it."""
 _ENDINGS = ("until", "timeout", "store")
 _ENDS = {"after": "start", "before": "end"}
 _CANONICAL = {"movj": "mov", "movl": "lin", "movc": "circ"}
@@ -32,12 +34,14 @@ _made = maker(Motion)
 
 
 def motion(cursor: Cursor, head: Token) -> Statement:
-    """Read `mov|movj|lin|movl [via point {, point} to | to] target {modifier}`."""
+    """Read `mov|movj|lin|movl [via point {, point} to | to] target {modifier}`, or such `along list`."""
     via: tuple[Node, ...] = ()
     if cursor.word == VIA:
         cursor.advance()
         via = listed(cursor)
         _target_follows(cursor)
+    elif _is_along(cursor):
+        return _along(cursor, head)
     cursor.accept("to")
     return _motion(cursor, head, via)
 
@@ -56,7 +60,9 @@ def arc(cursor: Cursor, head: Token) -> Statement:
 
 
 def spline(cursor: Cursor, head: Token) -> Statement:
-    """Read `spline [via] point {, point} to target {modifier}`."""
+    """Read `spline [via] point {, point} to target {modifier}`, or `spline along list {modifier}`."""
+    if _is_along(cursor):
+        return _along(cursor, head)
     cursor.accept(VIA)
     if cursor.word == "to":
         cursor.fail("a point on the way", "a curve leads through points; without any it is a `lin`")
@@ -64,6 +70,28 @@ def spline(cursor: Cursor, head: Token) -> Statement:
     _target_follows(cursor)
     cursor.expect("to")
     return _motion(cursor, head, via)
+
+
+def _is_along(cursor: Cursor) -> bool:
+    """Return whether `along` and the name of a list follow; `along` alone may be the name of a location."""
+    following = cursor.look(1)
+    return cursor.word == ALONG and following.kind == "word" and following.word not in _BEHIND_TARGETS
+
+
+def _along(cursor: Cursor, head: Token) -> Motion:
+    """Read `along list [in frame | above d | offset (…) | rel (…)] {modifier}`."""
+    cursor.advance()
+    start = cursor.token
+    found = _motion(cursor, head, ())
+    inner: object = found.target
+    while isinstance(inner, Binary | Rebase | External):
+        inner = inner.operand if isinstance(inner, Rebase | External) else inner.left
+    if not isinstance(inner, Name):
+        message = "expected the name of a list of points behind `along`"
+        cursor.fault(
+            kinds.UNEXPECTED, start.start, start.end, message, "lists are the files `points/NAME.csv`"
+        )
+    return replace(found, along=inner)
 
 
 def _target_follows(cursor: Cursor) -> None:
@@ -101,7 +129,7 @@ def _motion(cursor: Cursor, head: Token, via: tuple[Node, ...]) -> Motion:
     word = _CANONICAL.get(head.word, head.word)
     ends = ending.condition, ending.timeout, ending.store
     settings, outputs = tuple(modifiers), tuple(triggers)
-    return _made(word, via, target, settings, outputs, *ends, corrected, head.start, cursor.end)
+    return _made(word, via, target, settings, outputs, *ends, corrected, None, head.start, cursor.end)
 
 
 def _tracking(cursor: Cursor, given: Tracking | None) -> Tracking:

@@ -53,7 +53,7 @@ class Motion:
     """`mov`, `lin`, `circ` or `spline` to a target, through points on the way.
 
     `condition` and `timeout` end it before, `store` is a variable for the pose at its end, `tracking` the
-    correction of its path.
+    correction of its path. `along` is the name, in the target, of the list whose points it leads through.
     """
 
     word: str
@@ -65,6 +65,7 @@ class Motion:
     timeout: Node | None
     store: Name | None
     tracking: Tracking | None
+    along: Name | None
     start: int
     end: int
 
