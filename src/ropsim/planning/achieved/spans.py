@@ -41,10 +41,9 @@ class Span:
         return self.end - self.start
 
     @property
-    def behind(self) -> PathSegment | None:
-        """Return the blend in which it ends, None where it has none."""
-        last = self.parts[-1].path_segment
-        return last if last.blend is not None and last.move_number == self.move_number else None
+    def blends(self) -> tuple[PathSegment, ...]:
+        """Return the blends in which it begins and ends."""
+        return tuple(one.path_segment for one in self.parts if one.path_segment.blend is not None)
 
 
 def spans_of(section: TimedSection) -> Iterator[Span]:

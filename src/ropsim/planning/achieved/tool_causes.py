@@ -70,8 +70,15 @@ def tool_cause(
     elif lost[SpeedCause.ACCELERATION] > 0.0:
         lost[SpeedCause.ACCELERATION], lost[SpeedCause.JERK] = ramps, 0.0
     cause = max(lost, key=lost.__getitem__)
-    corner = _corner(span) if cause is SpeedCause.ZONE else 0.0
-    return cause, _value(cause, span, limits), corner
+    if cause is SpeedCause.ZONE and span.blends:
+        return cause, *_corner(min(span.blends, key=lambda one: _speed_in(one, rows, section)))
+    return cause, _value(cause, span, limits), 0.0
+
+
+def _speed_in(blend: PathSegment, rows: LawRows, section: TimedSection) -> float:
+    """Return the least of the speeds that are known in a blend [m/s], infinity for none."""
+    known = [section.path_segments[one] is blend for one in rows.path_segments.tolist()]
+    return float(rows.speeds[known].min(initial=math.inf))
 
 
 def _cause(
@@ -107,8 +114,6 @@ def _value(cause: SpeedCause, span: Span, limits: ToolLimits) -> float:
         SpeedCause.TURN_SPEED: limits.orientation_speed,
         SpeedCause.TURN_ACCELERATION: limits.orientation_acceleration,
     }
-    if cause is SpeedCause.ZONE:
-        return span.behind.blend.zone if span.behind is not None and span.behind.blend is not None else 0.0
     if cause is SpeedCause.BEND:
         return _least_radius(span)
     return values.get(cause, 0.0)
@@ -125,13 +130,14 @@ def _least_radius(span: Span) -> float:
     return 1.0 / most if most > 0.0 else math.inf
 
 
-def _corner(span: Span) -> float:
-    """Return the angle by which the way of the TCP turns in the zone of a move [rad]."""
-    if span.behind is None or span.behind.tool is None:
-        return 0.0
-    tool = span.behind.tool
+def _corner(path_segment: PathSegment) -> tuple[float, float]:
+    """Return the zone of a blend [m], and the angle by which the way of the TCP turns in it [rad]."""
+    tool, blend = path_segment.tool, path_segment.blend
+    assert tool is not None
+    assert blend is not None
     one, other = tool.tool(np.array([0.0, tool.length])).d1[:, :3]
-    return math.atan2(float(np.linalg.norm(np.cross(one, other))), float(one @ other))
+    angle = math.atan2(float(np.linalg.norm(np.cross(one, other))), float(one @ other))
+    return blend.zone, angle
 
 
 def turn_of(span: Span) -> float:
