@@ -50,6 +50,8 @@ from ropsim.flow.instructions import SyncInstruction as SyncInstruction
 from ropsim.flow.instructions import Trigger as Trigger
 from ropsim.flow.instructions import WaitInstruction as WaitInstruction
 from ropsim.flow.modal import ModalState as ModalState
+from ropsim.flow.reached_speed import ReachedSpeed as ReachedSpeed
+from ropsim.flow.reached_speed import SpeedCause as SpeedCause
 from ropsim.flow.recording import Placement as Placement
 from ropsim.flow.recording import Recording as Recording
 from ropsim.flow.recording import RunContent as RunContent

@@ -8,6 +8,7 @@ from typing import ClassVar
 from ropsim.core import Span, frozen_dataclass
 from ropsim.flow.critical_limit import CriticalLimit
 from ropsim.flow.instructions import Origin
+from ropsim.flow.reached_speed import ReachedSpeed
 
 
 @frozen_dataclass
@@ -67,6 +68,7 @@ class MoveEvent(Event):
         path_error_max: largest distance of the TCP from the path of the tool [m]; None where there is none.
         target: where the command puts the TCP if the move goes to its end, in the base frame [m], three
             numbers; empty where it is not known.
+        reached: how slow it is against `path_speed`, and why; None where it is not.
         out_of_position: largest error of a joint at its end, as a share of `in_position` of the controller:
             up to 1 the arm was; None where the move went on to the next one, or the run was cut short.
     """
@@ -84,6 +86,7 @@ class MoveEvent(Event):
     critical: CriticalLimit | None = None
     path_speed: float | None = None
     path_error_max: float | None = None
+    reached: ReachedSpeed | None = None
     target: tuple[float, ...] = ()
     out_of_position: float | None = None
 

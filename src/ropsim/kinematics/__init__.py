@@ -57,6 +57,7 @@ from ropsim.kinematics.recognition import classes_missed as classes_missed
 from ropsim.kinematics.recognition import redundant_solver_of as redundant_solver_of
 from ropsim.kinematics.recognition import solver_of as solver_of
 from ropsim.kinematics.singularity import SingularDistances as SingularDistances
+from ropsim.kinematics.singularity import near_singularity as near_singularity
 from ropsim.kinematics.singularity import singular_distances as singular_distances
 from ropsim.kinematics.solutions.configurations import configurations as configurations
 from ropsim.kinematics.solutions.limits import limit_violations as limit_violations

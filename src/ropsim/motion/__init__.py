@@ -157,6 +157,7 @@ from ropsim.motion.time_law.table import JERK_LIMITED as JERK_LIMITED
 from ropsim.motion.time_law.table import TIME_LAWS as TIME_LAWS
 from ropsim.motion.zone_diagnostics import BEYOND_LIMITS as BEYOND_LIMITS
 from ropsim.motion.zone_diagnostics import LINES_AS_CURVE as LINES_AS_CURVE
+from ropsim.motion.zone_diagnostics import SINGULARITY_HINTS as SINGULARITY_HINTS
 from ropsim.motion.zone_diagnostics import SLOWED as SLOWED
 from ropsim.motion.zone_diagnostics import SPEED_BEYOND_ARM as SPEED_BEYOND_ARM
 from ropsim.motion.zone_diagnostics import TRIGGER_OFF_PATH as TRIGGER_OFF_PATH

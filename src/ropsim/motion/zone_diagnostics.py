@@ -83,10 +83,23 @@ or bent. A line that loses next to no time is not reported. Cycle times
 are those of the slowed motion. Slowing down there, and speeding up again, keeps the limits of the joints, and
 those of the tool that the program gives.
 
-**How to mend it.** Where the time matters, change the posture or the place of the path, or give the joint
-less to do: a lower path speed over the whole move is often as quick or quicker, because it need not brake.
+Near a singularity joints turn fast however slowly the tool goes; the message names it: of the wrist (axes 4
+and 6 in line), of the elbow (arm stretched or folded), or of the shoulder (wrist above axis 1).
+
+**How to mend it.** On a line, an arc or a curve, the controller of an arm with spherical wrist passes the
+singularity of the wrist at full speed with `orientation = "wrist angles"`. Else, where the time matters,
+change the posture or the place of the path, or give the joint less to do: a lower path speed over the whole
+move is often as quick or quicker, because it need not brake.
 """,
 )
+
+SINGULARITY_HINTS = {
+    "wrist": 'an arm with spherical wrist passes it at full speed with `orientation = "wrist angles"` in '
+    "`[controller]`; else turn the tool a little, shift the path, or use `mov` for this part",
+    "elbow": "shift the path to where upper arm and forearm are not stretched, or use `mov` for this part",
+    "shoulder": "lead the path past the axis of joint 1 at a distance, or use `mov` for this part",
+}
+"""The next step, by the singularity that slows a path."""
 
 BEYOND_LIMITS = define(
     "M564",

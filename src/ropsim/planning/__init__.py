@@ -1,5 +1,7 @@
 """Planning: move instructions become a trajectory within all limits, or a refusal that says why not."""
 
+from ropsim.planning.achieved.zones import NEXT_IS_SKIPPED as NEXT_IS_SKIPPED
+from ropsim.planning.achieved.zones import stopped_by as stopped_by
 from ropsim.planning.chain import plan_move as plan_move
 from ropsim.planning.chain import standard_chain as standard_chain
 from ropsim.planning.chain import work_frames as work_frames
@@ -47,5 +49,3 @@ from ropsim.planning.records.work_frames import inverted as inverted
 from ropsim.planning.sequence_checks import PLANNED_ACCELERATION as PLANNED_ACCELERATION
 from ropsim.planning.sequence_checks import PLANNED_SPEED as PLANNED_SPEED
 from ropsim.planning.trajectory.sections import TimingRules as TimingRules
-from ropsim.planning.zones import NEXT_IS_SKIPPED as NEXT_IS_SKIPPED
-from ropsim.planning.zones import stopped_by as stopped_by

@@ -1,12 +1,11 @@
 """A motion in control ticks: references, and the ticks at which moves, path segments and triggers come."""
 
-from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
 from ropsim.core import Diagnostic, maker
-from ropsim.flow import JointReference
+from ropsim.flow import JointReference, ReachedSpeed
 from ropsim.motion import JointPoints, RetimedTrajectory, Ticks, ToolPath, ToolSection
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.motion_chain import MotionChain
@@ -48,6 +47,7 @@ def in_ticks(
     zones: Sequence[float],
     timing: Timing,
     retimed: RetimedTrajectory,
+    reached: Mapping[int, ReachedSpeed],
     findings: Sequence[Diagnostic],
 ) -> MotionPlan:
     """Return the plan of a motion; it takes over the rows of the motion and writes its end there.
@@ -57,7 +57,8 @@ def in_ticks(
         planned_moves: the moves.
         zones: that are flown at their ends [m].
         timing: of the sequence.
-        retimed: its motion within the limits of the joints, at all ticks of whole interpolation ticks.
+        retimed: its motion within the limits of the joints, at all control ticks until it rests.
+        reached: the moves that are slower than programmed, by their numbers.
         findings: on the moves.
     """
     period, phi = chain.controller.rates.control_period, retimed.phi[1:]
@@ -70,7 +71,8 @@ def in_ticks(
     ticks_come(*times, at[: len(timing.path_segment_ends)], at[len(timing.path_segment_ends) :], ends)
     lasts = [0, *map(int, ends.tolist()), reference.ticks]
     moves, found = [], list(findings)
-    for planned_move, zone, (first, last) in zip(planned_moves, zones, pairwise(lasts), strict=True):
+    for number, (planned_move, zone) in enumerate(zip(planned_moves, zones, strict=True)):
+        first, last = lasts[number : number + 2]
         planned, move = planned_move.planned, planned_move.move
         X_MT = planned.X_MT
         triggers: tuple[PlannedTrigger, ...] = ()
@@ -81,7 +83,8 @@ def in_ticks(
             triggers, result = trigger_ticks(move, achieved, first, period)
             found += result
         of_tool = planned.tool is not None
-        moves.append(_move(move, X_MT, planned_move.q_end, last, zone, triggers, planned.limits, of_tool))
+        limits, slow = planned.limits, reached.get(number)
+        moves.append(_move(move, X_MT, planned_move.q_end, last, zone, triggers, limits, of_tool, slow))
     path_segments, blends = _path_segments(timing, at.astype(np.int64).tolist(), lasts)
     return MotionPlan(tuple(moves), path_segments, retimed.rows.q[0], reference, period, tuple(found), blends)
 

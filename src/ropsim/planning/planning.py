@@ -8,6 +8,8 @@ from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.model import Payload, RobotModel
 from ropsim.motion import TIME_LAWS, Infeasible, JointBounds, Ticks, own_law_of
+from ropsim.planning.achieved.reached_speeds import reached_speeds, singularity_at
+from ropsim.planning.achieved.zones import achieved_zones, clipped, stopped
 from ropsim.planning.blends.blend import Blend, Passage, Stop
 from ropsim.planning.blends.curve_blends import blend_at
 from ropsim.planning.blends.move_curves import may_be_slower, with_curves
@@ -33,7 +35,6 @@ from ropsim.planning.sequence_moves import sequence_moves
 from ropsim.planning.stops.chosen_stops import by_joints, by_tool
 from ropsim.planning.trajectory.sections import TimingRules
 from ropsim.planning.trajectory.segments import segments_of
-from ropsim.planning.zones import achieved_zones, clipped, stopped
 from ropsim.spatial import Array, record
 
 NO_PAYLOAD = Payload()
@@ -132,8 +133,8 @@ def _planned(
                 refusal := standing_refusal(moves[path_segment.move_number], path_segment)
             ):
                 return _Hurdle(path_segment.move_number, refusal)
-    rates = chain.controller.rates
-    rules, period = TimingRules(TIME_LAWS[chain.time_law], chain.controller.look_ahead), rates.control_period
+    period = chain.controller.rates.control_period
+    rules = TimingRules(TIME_LAWS[chain.time_law], chain.controller.look_ahead)
     chosen = by_tool(moves, blends, joined, rules)
     findings += (hint for one in chosen.stops for hint in stopped(moves[one].move, Stop.QUICKER))
     timing = chosen.timing
@@ -146,7 +147,7 @@ def _planned(
         return infeasible
     if any(move.move.tracking for move in moves):
         bounds = with_correction(bounds)
-    by_joint_limits = by_joints(moves, chosen, bounds, Ticks(period, rates.interpolation_ticks), rules)
+    by_joint_limits = by_joints(moves, chosen, bounds, Ticks(period), rules)
     findings += (hint for one in by_joint_limits.stops for hint in stopped(moves[one].move, Stop.SLOWED))
     timing, retimed = by_joint_limits.retiming.timing, by_joint_limits.retiming.retimed
     if isinstance(retimed, Infeasible):
@@ -154,9 +155,16 @@ def _planned(
         return _Hurdle(number, beyond_refusal(moves[number], retimed, chain.robot))
     if late := _late(moves, retimed.clock.times_of(timing.ends).tolist()):
         return _Hurdle(late[0], Refusal(check_duration(moves[late[0]].move, late[1])))
-    findings += slowed_findings(moves, timing.ends, by_joint_limits.retiming.slowed, chain.robot)
+    findings += slowed_findings(
+        moves,
+        timing.ends,
+        by_joint_limits.retiming.slowed,
+        chain.robot,
+        lambda part: singularity_at(by_joint_limits.retiming, part, chain.robot),
+    )
     zones = achieved_zones(chain.robot, moves, by_joint_limits.blends, by_joint_limits.retiming.motion)
-    return in_ticks(chain, moves, zones, timing, retimed, findings)
+    reached = reached_speeds(moves, chosen.timing, by_joint_limits.retiming, chain.robot, rules)
+    return in_ticks(chain, moves, zones, timing, retimed, reached, findings)
 
 
 def _infeasible(

@@ -1,5 +1,6 @@
 """Door for tests: names behind the front of the package. Production code does not import it."""
 
+from ropsim.planning.achieved.zones import stopped as stopped
 from ropsim.planning.blends.blend import Blend as Blend
 from ropsim.planning.blends.blend import CartesianBlend as CartesianBlend
 from ropsim.planning.blends.blend import JointSpaceBlend as JointSpaceBlend
@@ -103,4 +104,3 @@ from ropsim.planning.trajectory.timing_kernel import ticks_come as ticks_come
 from ropsim.planning.trajectory.trajectory import Trajectory as Trajectory
 from ropsim.planning.trajectory.trajectory_table import trajectory_table as trajectory_table
 from ropsim.planning.wrist.wrist_path import WristPath as WristPath
-from ropsim.planning.zones import stopped as stopped

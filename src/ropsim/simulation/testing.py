@@ -19,6 +19,7 @@ from ropsim.simulation.findings.consequences import with_causes as with_causes
 from ropsim.simulation.findings.finished_station import FinishedStation as FinishedStation
 from ropsim.simulation.findings.load_findings import load_findings as load_findings
 from ropsim.simulation.findings.settling import settling_findings as settling_findings
+from ropsim.simulation.findings.slow_lines import slow_lines as slow_lines
 from ropsim.simulation.findings.torn_oil import torn_oil as torn_oil
 from ropsim.simulation.findings.verdicts import verdicts as verdicts
 from ropsim.simulation.grips.handing import CHECKS as CHECKS

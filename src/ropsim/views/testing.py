@@ -2,6 +2,7 @@
 
 from ropsim.views.accuracy import BAND as BAND
 from ropsim.views.accuracy import CornerFigures as CornerFigures
+from ropsim.views.accuracy import SpeedFigures as SpeedFigures
 from ropsim.views.accuracy import StopFigures as StopFigures
 from ropsim.views.accuracy import largest_angle as largest_angle
 from ropsim.views.accuracy import path_repeatability as path_repeatability
@@ -13,6 +14,7 @@ from ropsim.views.accuracy.polyline import nearest as nearest
 from ropsim.views.accuracy.stops import stopping as stopping
 from ropsim.views.channels import station_views as station_views
 from ropsim.views.html.accuracy import corner_table as corner_table
+from ropsim.views.html.accuracy import path_table as path_table
 from ropsim.views.html.accuracy import stop_table as stop_table
 from ropsim.views.html.cards import key_figures as key_figures
 from ropsim.views.html.findings import SHOWN_MESSAGES as SHOWN_MESSAGES
@@ -49,6 +51,8 @@ from ropsim.views.summary.unchecked import ByHand as ByHand
 from ropsim.views.summary.unchecked import by_hand as by_hand
 from ropsim.views.summary.unchecked import given_text as given_text
 from ropsim.views.terminal.accuracy import accuracy_lines as accuracy_lines
+from ropsim.views.terminal.accuracy import limited_by as limited_by
+from ropsim.views.terminal.accuracy import slow_lines as slow_lines
 from ropsim.views.terminal.figures import effort_lines as effort_lines
 from ropsim.views.words.characters import clean as clean
 from ropsim.views.words.characters import fit as fit

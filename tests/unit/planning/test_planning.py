@@ -145,9 +145,9 @@ def test_where_a_joint_slows_a_line_the_tool_keeps_the_limits_of_the_program(
 
 
 @pytest.mark.parametrize("mix", MIXES)
-def test_the_plan_ends_exactly_at_the_target_at_rest_after_whole_interpolation_ticks(mix: str) -> None:
+def test_the_plan_ends_exactly_at_the_target_at_rest_at_the_first_tick_there(mix: str) -> None:
     done = planned_stretch(stretch(mix))
-    assert done.ticks % TICKS == 0
+    assert done.reference.qd[-2].any()
     assert done.reference.q[-1].tolist() == done.q_end.tolist()
     assert not done.reference.qd[-1].any()
     assert not done.reference.qdd[-1].any()

@@ -54,7 +54,7 @@ def ran(cell: Cell, *lines: str) -> Recording:
     compiled = ropsim.language.compile(text, environment_of(cell))
     assert [str(found) for found in compiled.diagnostics if found.is_error] == []
     assert compiled.icr is not None
-    return run(cell, {"robot": compiled.icr}, RunOptions(Fidelity.KINEMATIC))
+    return run(cell, {"robot": compiled.icr}, RunOptions(Fidelity.KINEMATIC, record_hz=1000))
 
 
 def at(recording: Recording, name: str, time: float) -> np.ndarray:

@@ -126,7 +126,10 @@ def test_a_location_takes_the_external_axes_along_and_a_line_leaves_them_there()
 
 def test_a_line_to_a_location_takes_the_external_axes_there() -> None:
     recording = ran(
-        "mov stock above 50 external (-750, 0)", "lin stock", "lin here above 50 external (-700, 20)"
+        "mov stock above 50 external (-750, 0)",
+        "lin stock",
+        "wait 0.1",
+        "lin here above 50 external (-700, 20)",
     )
     assert (recording.ok, [str(one) for one in recording.findings]) == (True, [])
     q, robot = recording.channels["q"].values, cell().first.robot

@@ -144,7 +144,7 @@ def test_many_rows_are_thinned_and_the_facts_tell_the_rate(cell: Cell, program: 
     )
     assert len(thin.time) <= 100
     assert thin.facts.record_hz == pytest.approx(full.facts.record_hz / 4)
-    rows = np.searchsorted(full.time, thin.time)
+    rows = np.minimum(np.searchsorted(full.time, thin.time), len(full.time) - 1)  # at the end it stands
     np.testing.assert_array_equal(full.channels["q"].values[rows], thin.channels["q"].values)
     assert thin.duration == full.duration
 

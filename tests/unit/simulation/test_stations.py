@@ -136,7 +136,8 @@ def test_the_arm_of_a_program_that_has_ended_stands_until_the_last_one_ends() ->
     rest = recording.channels["right/q"].values[recording.time > end + 0.01]
     assert len(rest) > 100
     assert np.ptp(rest, axis=0).max() < 1e-9
-    assert recording.time[-1] == recording.duration
+    assert recording.time[-2] < recording.duration <= recording.time[-1]
+    assert recording.rows("right/q")[-1].tolist() == rest[0].tolist()
 
 
 def test_controllers_of_different_rates_share_the_rows_of_one_recording() -> None:

@@ -5,7 +5,7 @@ import numpy as np
 from ropsim.motion.curves.grid import Gridded, grid_of_part
 from ropsim.motion.curves.nearest import distances
 from ropsim.motion.curves.path import ToolPath, ToolPoints
-from ropsim.motion.curves.traits import constant_derivatives
+from ropsim.motion.curves.traits import constant_derivatives, parameter_is_arc_length
 from ropsim.spatial import Array, record
 
 
@@ -35,6 +35,11 @@ class ToolSection:
     def constant_derivatives(self) -> Array | None:
         """Return the derivatives of the path, see `constant_derivatives`."""
         return constant_derivatives(self.path)
+
+    @property
+    def moves(self) -> bool | None:
+        """Return whether the path parameter is an arc length, see `parameter_is_arc_length`."""
+        return parameter_is_arc_length(self.path)
 
     def own_grid(self) -> Array:
         """Return the grid of the path as far as it lies in the section, shape (m,)."""

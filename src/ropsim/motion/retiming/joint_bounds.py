@@ -16,11 +16,9 @@ class Ticks:
 
     Attributes:
         period: between two of them [s].
-        together: control ticks of an interpolation tick; a motion takes whole ones, at rest behind its end.
     """
 
     period: float
-    together: int = 1
 
     def count(self, duration: float) -> int:
         """Return the number of the first tick at or behind the end of a motion, whole or not.
@@ -36,8 +34,7 @@ class Ticks:
         Args:
             duration: of the motion [s].
         """
-        last = self.together * -(-self.count(duration) // self.together)
-        ticks = np.arange(last + 1, dtype=np.float64)
+        ticks = np.arange(self.count(duration) + 1, dtype=np.float64)
         ticks *= self.period
         return ticks
 

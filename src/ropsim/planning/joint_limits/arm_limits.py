@@ -1,13 +1,22 @@
 """Joint limits of a motion: capabilities of the arm with its payload, and findings where they bind."""
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 
 from ropsim.core import Diagnostic
 from ropsim.dynamics import effort_limits, effort_rows
 from ropsim.model import Joint, JointType, Payload, RobotModel
-from ropsim.motion import BEYOND_LIMITS, SLOWED, Effort, Infeasible, JointBounds, Quantity, Slowed
+from ropsim.motion import (
+    BEYOND_LIMITS,
+    SINGULARITY_HINTS,
+    SLOWED,
+    Effort,
+    Infeasible,
+    JointBounds,
+    Quantity,
+    Slowed,
+)
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.wording import passes, rate
@@ -52,7 +61,11 @@ def arm_bounds(robot: RobotModel, payload: Payload) -> ArmBounds:
 
 
 def slowed_findings(
-    moves: Sequence[PlannedMove], ends: Sequence[float], slowed: Sequence[Slowed], robot: RobotModel
+    moves: Sequence[PlannedMove],
+    ends: Sequence[float],
+    slowed: Sequence[Slowed],
+    robot: RobotModel,
+    singularity: Callable[[Slowed], str],
 ) -> tuple[Diagnostic, ...]:
     """Return M563 for each move that is slowed, where it is slowest.
 
@@ -61,6 +74,7 @@ def slowed_findings(
         ends: nominal times at which they end [s].
         slowed: the parts of the motion that are slower than planned.
         robot: the arm.
+        singularity: returns which one is near on such a part, empty for none.
     """
     worst: dict[int, Slowed] = {}
     for part in slowed:
@@ -68,7 +82,13 @@ def slowed_findings(
         if move not in worst or part.share < worst[move].share:
             worst[move] = part
     return tuple(
-        _slowed(moves[move], part, robot.axis_joints[part.joint], ends[move - 1] if move else 0.0, ends[move])
+        _slowed(
+            moves[move],
+            part,
+            robot.axis_joints[part.joint],
+            (ends[move - 1] if move else 0.0, ends[move]),
+            singularity(part) if moves[move].tool is not None else "",
+        )
         for move, part in sorted(worst.items())
         if part.share < WORTH_SAYING
     )
@@ -99,16 +119,23 @@ def move_at(ends: Sequence[float], phi: float) -> int:
     return min(bisect_right(ends, phi), len(ends) - 1)
 
 
-def _slowed(move: PlannedMove, part: Slowed, joint: Joint, start: float, end: float) -> Diagnostic:
+def _slowed(
+    move: PlannedMove, part: Slowed, joint: Joint, times: tuple[float, float], singularity: str
+) -> Diagnostic:
+    start, end = times
     progress = (0.5 * (part.start + part.end) - start) / max(end - start, 1e-300)
     progress, origin = min(max(progress, 0.0), 1.0), move.move.origin
     return SLOWED.at(
         origin.span,
         f"slowed down to {part.share:.0%} of the planned speed at {progress:.0%} of the planned duration: "
-        f"joint `{joint.name}` is at its {_WORDS[part.quantity][0]} limit",
+        f"joint `{joint.name}` is at its {_WORDS[part.quantity][0]} limit"
+        + (f", near the singularity of the {singularity}" if singularity else ""),
         label=passes(origin),
-        hint="another posture may need less of the joint; a lower speed of the whole move may be quicker",
-        data={"joint": joint.name, "share": part.share, "place": progress},
+        hint=SINGULARITY_HINTS.get(
+            singularity,
+            "another posture may need less of the joint; a lower speed of the whole move may be quicker",
+        ),
+        data={"joint": joint.name, "share": part.share, "place": progress, "singularity": singularity},
     )
 
 

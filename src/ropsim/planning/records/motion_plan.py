@@ -3,7 +3,7 @@
 import numpy as np
 
 from ropsim.core import Diagnostic
-from ropsim.flow import JointReference, MoveInstruction
+from ropsim.flow import JointReference, MoveInstruction, ReachedSpeed
 from ropsim.model import Payload
 from ropsim.motion import ToolPath
 from ropsim.planning.records.moving_frames import MovingFrame
@@ -64,6 +64,7 @@ class TimedMove:
         triggers: outputs that are set on its path, in order of time.
         limits: its limits; None without motion.
         on_tool_path: whether it is on a path of the tool.
+        reached: how slow it is on that, and why; None where it is as fast as programmed.
     """
 
     move: MoveInstruction
@@ -74,6 +75,7 @@ class TimedMove:
     triggers: tuple[PlannedTrigger, ...] = ()
     limits: MoveLimits | None = None
     on_tool_path: bool = False
+    reached: ReachedSpeed | None = None
 
 
 @record

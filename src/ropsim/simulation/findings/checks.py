@@ -8,6 +8,7 @@ from ropsim.icr import Program
 from ropsim.simulation.findings.finished_station import FinishedStation
 from ropsim.simulation.findings.load_findings import load_findings
 from ropsim.simulation.findings.settling import settling_findings
+from ropsim.simulation.findings.slow_lines import slow_lines
 from ropsim.simulation.findings.torn_oil import torn_oil
 from ropsim.simulation.findings.verdicts import verdicts
 
@@ -16,6 +17,7 @@ CHECKS: tuple[Callable[[FinishedStation], tuple[Diagnostic, ...]], ...] = (
     torn_oil,
     load_findings,
     settling_findings,
+    slow_lines,
 )
 """In the order of their findings."""
 

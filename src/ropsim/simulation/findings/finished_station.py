@@ -22,6 +22,7 @@ class FinishedStation:
         lines: source lines in force.
         loads: mass of tool and parts in force [kg].
         events: of the station.
+        slowed: lines that are reported because a joint slows them (M563).
     """
 
     robot: RobotModel
@@ -32,6 +33,7 @@ class FinishedStation:
     lines: Track
     loads: Track
     events: Sequence[Event]
+    slowed: frozenset[int] = frozenset()
 
     def span_of(self, line: int) -> Span | None:
         """Return the place of a line; None for line 0, which is none of the source."""

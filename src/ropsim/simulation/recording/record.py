@@ -26,7 +26,7 @@ from ropsim.flow import (
 )
 from ropsim.icr import Program, code_lines, line_contents_of_all, program_id
 from ropsim.kinematics import forward_batch
-from ropsim.motion import Line, enter_distances
+from ropsim.motion import SLOWED, Line, enter_distances
 from ropsim.simulation.findings.checks import findings_at, station_findings
 from ropsim.simulation.findings.consequences import with_causes
 from ropsim.simulation.findings.finished_station import FinishedStation
@@ -60,6 +60,7 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
     """Return the recording of a run that has ended."""
     for at in run.stations.values():
         run.end_looking(at)
+        at.rest_to_row()
     logs = {name: at.plant.log() for name, at in run.stations.items()}
     rows = _rows(run, logs)
     time = rows / run.hz
@@ -75,7 +76,15 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
         events += at.activations.events(name, at.hz)
         loads = at.tracks.get("payload", Track())
         finished = FinishedStation(
-            at.station.robot, source, at.hz, run.time, at.plant.tally, at.tracks["line"], loads, mine
+            at.station.robot,
+            source,
+            at.hz,
+            run.time,
+            at.plant.tally,
+            at.tracks["line"],
+            loads,
+            mine,
+            _slowed_lines(run, source),
         )
         judged += findings_at(name, programs, station_findings(finished))
     for at in run.stations.values():
@@ -97,6 +106,12 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
         _line_contents(run, programs),
     )
     return Recording(time, channels, tuple(events), findings, run.time, facts, tuple(run.placements), content)
+
+
+def _slowed_lines(run: CellRun, source: str) -> frozenset[int]:
+    """Return the lines of a source of which planning has said that a joint slows them."""
+    spans = (one.span for one in run.findings if one.code == SLOWED.code)
+    return frozenset(span.line for span in spans if span and span.source == source)
 
 
 def _line_contents(run: CellRun, programs: Mapping[str, Program]) -> Mapping[str, Mapping[int, str]]:

@@ -165,6 +165,11 @@ class StationRun:
             self.plant.hold(self.q_command, slice_, self.payload)
             self.tick += slice_
 
+    def rest_to_row(self) -> None:
+        """Record the arm where it stands at the end of a run, up to the first row at or behind that time."""
+        if left := -self.tick % self.plant.record_ticks:
+            self.plant.hold(self.q_command, left, self.payload)
+
     def track(self, name: str, value: float) -> None:
         """Let a piecewise constant channel have a new value from now on; before its first one it is 0."""
         track = self.tracks.get(name)

@@ -115,6 +115,7 @@ def _follow(
             blending=follower.blended(since, end) / at.hz,
             critical=motion.critical[number],
             path_speed=_path_speed(at, one.move),
+            reached=one.reached,
             target=_commanded(at, one.X_MT) if tracking else motion.places[number],
             out_of_position=out,
         )

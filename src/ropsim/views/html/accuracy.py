@@ -7,9 +7,10 @@ from typing import TypeVar
 from ropsim.core import SourceText
 from ropsim.views.accuracy import CornerFigures, StopFigures
 from ropsim.views.html.tables import source_cell
-from ropsim.views.markup.markup import table
+from ropsim.views.markup.markup import table, text
 from ropsim.views.summary.path_summary import PathLine, PathMove, PathSummary
 from ropsim.views.summary.station_summary import Figures
+from ropsim.views.terminal.accuracy import limited_by
 from ropsim.views.words.figures import (
     DEGREES,
     METRES,
@@ -18,6 +19,7 @@ from ropsim.views.words.figures import (
     PERCENT,
     UNKNOWN,
     fixed,
+    percent,
     seconds,
 )
 
@@ -60,6 +62,8 @@ def path_table(path: PathSummary, source: SourceText | None) -> str:
         "angle<br>max [°]",
         "RT<sub>p</sub><br>[mm]",
         "command speed,<br>given [mm/s]",
+        "limited by",
+        "lost<br>[s]",
         "worst AV<br>[%]",
         "FV max<br>[mm/s]",
         "source",
@@ -181,18 +185,29 @@ def _path_row(line: PathLine, source: SourceText | None) -> tuple[str, ...]:
         seconds(worst.time) if math.isfinite(worst.max_error) else UNKNOWN,
         fixed(max(angles, default=math.nan), DEGREES, 3),
         fixed(line.repeatability, MILLIMETRES, 3),
-        _speed(line.worst_speed or line.worst),
+        _speed(line.slowest),
+        text(limited_by(line.slowest)),
+        _lost(line),
         fixed(speeds.accuracy if speeds else math.nan, PERCENT, 2),
         fixed(max(fluctuations, default=math.nan), MILLIMETRES_PER_SECOND, 2),
         source_cell(source, line.line),
     )
 
 
-def _speed(move: PathMove | None) -> str:
-    """Return the command speed of a move, and the one that is given for it."""
-    command, given = (move.speeds.command, move.given) if move else (math.nan, math.nan)
+def _speed(move: PathMove) -> str:
+    """Return the command speed of a move, the one that is given for it, and the share that is reached."""
+    command, given = move.speeds.command, move.given
     shown = fixed(command, MILLIMETRES_PER_SECOND, 0)
-    return f"{shown} of {fixed(given, MILLIMETRES_PER_SECOND, 0)}" if math.isfinite(given) else shown
+    if not math.isfinite(given):
+        return shown
+    share = f", {percent(command / given)}" if math.isfinite(command) and given > 0.0 else ""
+    return f"{shown} of {fixed(given, MILLIMETRES_PER_SECOND, 0)}{share}"
+
+
+def _lost(line: PathLine) -> str:
+    """Return the time that all passes of a line lose against the given speed; empty for none."""
+    lost = math.fsum(move.reached.lost for move in line.moves if move.reached)
+    return seconds(lost) if lost > 0.0 else ""
 
 
 def _line(line: int) -> str:

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.core import frozen_dataclass
-from ropsim.flow import MoveEvent, Recording
+from ropsim.flow import CriticalLimit, MoveEvent, ReachedSpeed, Recording
 from ropsim.spatial import Array
 from ropsim.views.accuracy import SpeedFigures, largest_angle, path_repeatability, speed_figures
 from ropsim.views.channels import StationView, rms, station_views
@@ -45,6 +45,8 @@ class PathMove:
         speeds: AV and FV.
         given: path speed of program or cell [m/s]; NaN if it is not recorded.
         is_early: whether its command stopped before its target, as a condition ended it.
+        reached: how slow it is against `given`, and why; None where it is not.
+        critical: limit that it is at for longest; None for none.
     """
 
     station: str
@@ -58,6 +60,8 @@ class PathMove:
     speeds: SpeedFigures
     given: float = math.nan
     is_early: bool = False
+    reached: ReachedSpeed | None = None
+    critical: CriticalLimit | None = None
 
     @property
     def falls_short(self) -> bool:
@@ -85,6 +89,17 @@ class PathLine:
     def worst(self) -> PathMove:
         """Return the move with the largest error, the first one where none is known."""
         return max(self.moves, key=lambda move: move.max_error if math.isfinite(move.max_error) else -1.0)
+
+    @property
+    def slowest(self) -> PathMove:
+        """Return the move that loses most time against its given speed, else the one least near it."""
+        return max(
+            self.moves,
+            key=lambda move: (
+                move.reached.lost if move.reached else 0.0,
+                -(move.speeds.command / move.given) if move.given > 0.0 else -math.inf,
+            ),
+        )
 
     @property
     def rms_error(self) -> float:
@@ -267,6 +282,8 @@ def _move(run: _Run, samples: Indices, ordinal: int, event: MoveEvent | None) ->
         speed_figures(run.speeds[0][samples], run.speeds[1][samples]),
         math.nan if event is None or event.path_speed is None else event.path_speed,
         event is not None and _is_early(run, samples, event),
+        event.reached if event else None,
+        event.critical if event else None,
     )
     return move if station.is_driven else _commanded(move, station, int(samples[0]))
 

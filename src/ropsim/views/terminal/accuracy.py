@@ -3,11 +3,13 @@
 import math
 
 from ropsim.core import plural
+from ropsim.flow import SpeedCause
 from ropsim.views.accuracy import BAND, CornerFigures, StopFigures
 from ropsim.views.summary.findings import place_text
-from ropsim.views.summary.path_summary import PathSummary
+from ropsim.views.summary.path_summary import PathMove, PathSummary
 from ropsim.views.summary.station_summary import Figures
 from ropsim.views.terminal.columns import Style, Tone, paint
+from ropsim.views.words.characters import clean
 from ropsim.views.words.figures import (
     DEGREES,
     MILLIMETRES,
@@ -39,7 +41,7 @@ def _commanded(path: PathSummary, style: Style) -> list[str]:
     if not path.moves:
         return []
     title = paint(f"path error of tool paths ({plural(len(path.moves), 'move')})", Tone.QUIET, style)
-    return [f"{title}: {WITHOUT_DRIVES}", *_slow(path)]
+    return [f"{title}: {WITHOUT_DRIVES}", *slow_lines(path)]
 
 
 def _planned(corners: tuple[CornerFigures, ...], style: Style) -> list[str]:
@@ -69,7 +71,7 @@ def _path(path: PathSummary, style: Style) -> list[str]:
         f"  worst at t = {seconds(worst.time)} s{place_text(worst.line, worst.visit)}",
         *_orientation(path),
         *_repeats(path),
-        *_slow(path),
+        *slow_lines(path),
         *_speeds(path),
     ]
 
@@ -91,7 +93,8 @@ def _repeats(path: PathSummary) -> list[str]:
     return [f"  path repeatability RT: max {with_unit(line.repeatability, MILLIMETRES, 3)} ({passes})"]
 
 
-def _slow(path: PathSummary) -> list[str]:
+def slow_lines(path: PathSummary) -> list[str]:
+    """Return the lines on moves that do not come to their given speed; none where all do."""
     if not path.slow:
         return []
     least = min(path.slow, key=lambda move: move.speeds.command / move.given)
@@ -99,7 +102,36 @@ def _slow(path: PathSummary) -> list[str]:
         least.given, MILLIMETRES_PER_SECOND, 0
     )
     many = plural(len(path.slow), "move")
-    return [f"  given speed not reached in {many}: {speeds}{place_text(least.line, least.visit)}"]
+    why = limited_by(least)
+    return [
+        f"  given speed not reached in {many}: {speeds}{place_text(least.line, least.visit)}",
+        *([f"    limited by {why}"] if why else []),
+        *_lost(path),
+    ]
+
+
+def _lost(path: PathSummary) -> list[str]:
+    """Return the line on the time that moves lose against the given speed, and where most of it is lost."""
+    lost = math.fsum(move.reached.lost for move in path.moves if move.reached)
+    if not lost > 0.0:
+        return []
+    most = max(path.moves, key=lambda move: move.reached.lost if move.reached else 0.0)
+    where = f"{place_text(most.line, most.visit)}, {limited_by(most)}"
+    return [f"  time lost against it: {seconds(lost)} s; most{where}"]
+
+
+def limited_by(move: PathMove) -> str:
+    """Return what keeps a move below its given speed, or sets its time where it falls short; else nothing."""
+    reached, critical = move.reached, move.critical
+    if reached and reached.cause is SpeedCause.JOINT:
+        near = f", {reached.singularity} singular" if reached.singularity else ""
+        quantity = f" {reached.quantity.value}" if reached.quantity else ""
+        return f"joint {clean(reached.joint)}{quantity}{near}"
+    if reached:
+        return reached.cause.value
+    if not move.falls_short or critical is None:
+        return ""
+    return f"{f'joint {clean(critical.joint)}' if critical.joint else 'path'} {critical.quantity.value}"
 
 
 def _speeds(path: PathSummary) -> list[str]:

@@ -107,7 +107,7 @@ def ran(cell: Cell, watch: Looker | None = None, lines: Iterable[str] = LINES) -
     text = "\n".join(("program p", "units mm, deg, s", *lines))
     compiled = ropsim.language.compile(text, environment_of(cell))
     assert compiled.icr is not None
-    return run(cell, {"robot": compiled.icr}, RunOptions(Fidelity.KINEMATIC, watch=watch or Looker()))
+    return run(cell, {"robot": compiled.icr}, RunOptions(Fidelity.KINEMATIC, 1000, watch=watch or Looker()))
 
 
 def hanging(recording: Recording, time: float) -> Mapping[str, Placement]:

@@ -1,0 +1,170 @@
+"""Speeds that moves on paths of the tool reach, and what keeps them below the programmed ones."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ropsim.flow import LimitQuantity, ReachedSpeed, SpeedCause
+from ropsim.kinematics import near_singularity
+from ropsim.model import RobotModel
+from ropsim.motion import Quantity, RetimedTrajectory, Slowed, ToolLimits
+from ropsim.planning.achieved.spans import Span, spans_of, times_at
+from ropsim.planning.achieved.tool_causes import SAMPLES, SLOW, tool_cause, turn_of
+from ropsim.planning.joint_limits.retiming import Retiming
+from ropsim.planning.moves.planned_move import PlannedMove
+from ropsim.planning.trajectory.sections import TimingRules, planned_section
+from ropsim.planning.trajectory.timing import TimedSection, Timing, timing_of
+from ropsim.spatial import record
+
+_QUANTITIES = {
+    Quantity.SPEED: LimitQuantity.SPEED,
+    Quantity.ACCELERATION: LimitQuantity.ACCELERATION,
+    Quantity.JERK: LimitQuantity.JERK,
+    Quantity.TORQUE: LimitQuantity.TORQUE,
+}
+_BY_JOINTS = 0.5
+"""Share of the time lost from which on joints are the cause."""
+
+
+@record
+class _Slow:
+    """A move that is slow, on its section as it is flown.
+
+    Attributes:
+        section: in the timing that is flown.
+        span: of the move there.
+        phi: nominal times at which it begins and ends [s].
+        time: that it takes [s].
+        lost: more than it would with the programmed speed [s].
+    """
+
+    section: TimedSection
+    span: Span
+    phi: tuple[float, float]
+    time: float
+    lost: float
+
+
+def reached_speeds(
+    moves: Sequence[PlannedMove], by_tool: Timing, retiming: Retiming, robot: RobotModel, rules: TimingRules
+) -> dict[int, ReachedSpeed]:
+    """Return the moves that are slower than programmed, by their numbers.
+
+    The ways of the moves between two stops could be a straight line: the tool would go with the programmed
+    speed all the way, but for speeding up and slowing down at both stops with acceleration and jerk of the
+    path. A move for which that is less than nine tenths of its time is slow.
+
+    Args:
+        moves: the moves.
+        by_tool: timing with the limits of their paths alone.
+        retiming: the motion within the limits of the joints.
+        robot: the arm.
+        rules: time law and look-ahead.
+    """
+    retimed = retiming.retimed
+    if not isinstance(retimed, RetimedTrajectory):
+        return {}
+    slow_moves = list(_slow(moves, retiming.timing, retimed, rules))
+    if not slow_moves:
+        return {}
+    before = {one.move_number: (section, one) for section, spans in _spans(by_tool) for one in spans}
+    found, free = {}, _times_with_all_known(by_tool, rules)
+    for slow in slow_moves:
+        number = slow.span.move_number
+        limits = moves[number].planned.limits.tool
+        figures = _top(slow, retimed, limits), slow.span.length, turn_of(slow.span), slow.lost
+        section, span = before.get(number, (slow.section, slow.span))
+        begin, end = times_at(section, np.array([span.start, span.end])).tolist()
+        joint = _slowest(slow, retiming.slowed)
+        if free.get(number, end - begin) < SLOW * (end - begin):
+            found[number] = ReachedSpeed(*figures, SpeedCause.LOOK_AHEAD)
+        elif joint and slow.time - (end - begin) >= _BY_JOINTS * slow.lost:
+            found[number] = ReachedSpeed(
+                *figures,
+                SpeedCause.JOINT,
+                joint=robot.axis_joints[joint.joint].name,
+                quantity=_QUANTITIES[joint.quantity],
+                singularity=singularity_at(retiming, joint, robot),
+            )
+        else:
+            found[number] = ReachedSpeed(*figures, *tool_cause(section, span, (begin, end), limits))
+    return found
+
+
+def _times_with_all_known(by_tool: Timing, rules: TimingRules) -> dict[int, float]:
+    """Return the times of moves if the controller knew its path to the end [s]; none where it does."""
+    moves = len(by_tool.ends)
+    if moves <= rules.look_ahead.moves:
+        return {}
+    known = rules._replace(look_ahead=replace(rules.look_ahead, moves=moves))
+    parts = [
+        planned_section(part.path_segments, part.path_limits, part.counts, part.over, known)
+        if part.has_path_limits
+        else part
+        for part in (section.part for section in by_tool.sections)
+    ]
+    found = {}
+    for section, spans in _spans(timing_of(parts, moves)):
+        for span in spans:
+            begin, end = times_at(section, np.array([span.start, span.end])).tolist()
+            found[span.move_number] = end - begin
+    return found
+
+
+def singularity_at(retiming: Retiming, part: Slowed, robot: RobotModel) -> str:
+    """Return the singularity that is near in the middle of a slowed part, see `near_singularity`."""
+    middle = np.array([0.5 * (part.start + part.end)])
+    return near_singularity(robot, retiming.motion.at(middle).q[0])
+
+
+def _top(slow: _Slow, retimed: RetimedTrajectory, limits: ToolLimits) -> float:
+    """Return the greatest speed on a move [m/s]."""
+    first, last = retimed.clock.times_of(slow.phi).tolist()
+    phi, rates, _ = retimed.clock.at(np.linspace(first, last, SAMPLES + 1))
+    return min(float((slow.section.law.at(phi - slow.section.start).speeds * rates).max()), limits.speed)
+
+
+def _spans(timing: Timing) -> Iterator[tuple[TimedSection, tuple[Span, ...]]]:
+    """Yield the moves along paths of the tool by sections."""
+    for section in timing.sections:
+        if spans := tuple(spans_of(section)):
+            yield section, spans
+
+
+def _slow(
+    moves: Sequence[PlannedMove], timing: Timing, retimed: RetimedTrajectory, rules: TimingRules
+) -> Iterator[_Slow]:
+    """Yield the moves that take longer than their programmed speed lets expect."""
+    for section, spans in _spans(timing):
+        at = section.start + times_at(section, np.array([(one.start, one.end) for one in spans]).ravel())
+        times = retimed.clock.times_of(at).reshape(-1, 2)
+        taken = (times[:, 1] - times[:, 0]).tolist()
+        expected = expected_times(spans, [moves[one.move_number].planned.limits.tool for one in spans], rules)
+        phi = at.reshape(-1, 2).tolist()
+        for span, (begin, end), time, most in zip(spans, phi, taken, expected, strict=True):
+            if most < SLOW * time:
+                yield _Slow(section, span, (begin, end), time, time - most)
+
+
+def expected_times(spans: Sequence[Span], limits: Sequence[ToolLimits], rules: TimingRules) -> list[float]:
+    """Return the times of moves on a section as on one straight line, without regard to joints [s].
+
+    Args:
+        spans: the moves, in order.
+        limits: of the tool on each.
+        rules: with the time law.
+    """
+    rows = [
+        (span.length, most.speed, most.acceleration, most.jerk, 1.0, -1.0)
+        for span, most in zip(spans, limits, strict=True)
+    ]
+    ends = rules.law(np.array(rows), np.ones(len(rows))).ends
+    return list(np.diff(ends, prepend=0.0).tolist())
+
+
+def _slowest(slow: _Slow, slowed: Sequence[Slowed]) -> Slowed | None:
+    """Return the slowest part of a motion that lies on a move, None where joints do not slow it."""
+    begin, end = slow.phi
+    here = [one for one in slowed if one.start < end and one.end > begin]
+    return min(here, key=lambda one: one.share, default=None)
