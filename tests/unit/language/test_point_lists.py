@@ -149,7 +149,16 @@ def test_a_curve_does_not_pass_a_point_twice_in_turn() -> None:
     assert found.code == "T393"
     assert found.message == "the points 2 and 3 of `seam` are at one place"
     assert "lines 4 and 5 of `points/seam.csv`" in found.hint
-    assert codes(f"{HEAD}lin along seam\n", with_lists(seam=twice)) == []
+
+
+def test_a_chain_stops_where_two_points_are_one() -> None:
+    one = table(4)
+    listed = replace(one, points=tuple(place for place in one.points for _ in range(2)), places=())
+    found = only(f"{HEAD}lin along seam\n", with_lists(seam=listed))
+    assert (found.code, found.hint) == ("T344", "leave one of them out of the list")
+    assert found.message == "the points 1 and 2 of `seam` are at one place, and so are 3 further pairs"
+    turned = (one.points[0], (*one.points[0][:3], 0.0, 0.0, 1.0, 0.0), *one.points[1:])
+    assert codes(f"{HEAD}lin along seam\n", with_lists(seam=replace(one, points=turned))) == []
 
 
 def test_a_list_whose_text_is_wrong_has_one_finding() -> None:

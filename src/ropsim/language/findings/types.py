@@ -379,3 +379,16 @@ lin (450, 0, 300; quat 0 0.7071068 0.7071068 0)
 ```
 """,
 )
+POINTS_AT_ONE_PLACE = define(
+    "T344",
+    "points-at-one-place",
+    Severity.WARNING,
+    "points of a list that follow each other at one place",
+    """
+A motion along a list goes from each point to the next. Where two that follow each other are the same place
+with the same orientation, within 0.001 mm, there is no way between them and the arm stops there, whatever
+the zone. Lists that are cut from a drawing often have such points where two of its lines meet.
+
+Leave one of the two out of the list. For a `spline` such points are an error (T393).
+""",
+)

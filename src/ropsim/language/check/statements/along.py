@@ -3,6 +3,7 @@
 from itertools import pairwise
 from math import dist
 
+from ropsim.core import plural
 from ropsim.language.check.expressions import convert, values
 from ropsim.language.check.scope import fold
 from ropsim.language.check.scope.body import Body, RejectedError
@@ -54,8 +55,7 @@ def along(body: Body, node: syntax.Motion, name: Name) -> tuple[Along, Expressio
     if node.word == "spline" and count < 2:
         message = f"a curve leads through two points or more, `{name.text}` has {count}"
         body.fail(kinds.OUT_OF_RANGE, name, message, "write `lin` to reach one point")
-    if node.word == "spline":
-        _refuse_coincident(body, name, found)
+    _check_coincident(body, node, name, found)
     with body.each_of(found):
         value = values.check(body, node.target)
     target = convert.to(body, value, POSE, node.target, f"the points of `{node.word} along`")
@@ -69,21 +69,31 @@ def along(body: Body, node: syntax.Motion, name: Name) -> tuple[Along, Expressio
     return Along(found.name, count, before, behind), last
 
 
-def _refuse_coincident(body: Body, name: Name, found: Listed) -> None:
-    """Report the first two points of a list that follow each other at one place: no curve leads on there.
+def _check_coincident(body: Body, node: syntax.Motion, name: Name, found: Listed) -> None:
+    """Report points that follow each other at one place: no curve leads on there, and a chain stops.
 
     Raises:
-        RejectedError: there are such.
+        RejectedError: the motion is a curve.
     """
-    table = found.table
-    for number, (one, other) in enumerate(pairwise(table.points), 1):
-        if dist(one[:3], other[:3]) <= SAME_PLACE:
-            message = f"the points {number} and {number + 1} of `{found.name}` are at one place"
-            hint = "leave one of them out of the list"
-            if table.places:
-                lines = table.places[number - 1 : number + 1]
-                hint = f"leave one of them out: lines {lines[0]} and {lines[1]} of `{table.source}`"
-            body.fail(IMPOSSIBLE_PATH, name, message, hint)
+    table, is_curve = found.table, node.word == "spline"
+    numbers = [
+        number
+        for number, (one, other) in enumerate(pairwise(table.points), 1)
+        if dist(one[:3], other[:3]) <= SAME_PLACE and (is_curve or one[3:] == other[3:])
+    ]
+    if not numbers:
+        return
+    first = numbers[0]
+    message = f"the points {first} and {first + 1} of `{found.name}` are at one place"
+    if len(numbers) > 1:
+        message += f", and so are {plural(len(numbers) - 1, 'further pair')}"
+    hint = "leave one of them out of the list"
+    if table.places:
+        lines = table.places[first - 1 : first + 1]
+        hint = f"leave one of them out: lines {lines[0]} and {lines[1]} of `{table.source}`"
+    if is_curve:
+        body.fail(IMPOSSIBLE_PATH, name, message, hint)
+    body.warn(kinds.POINTS_AT_ONE_PLACE, name, message, hint)
 
 
 def _sides(target: Expression) -> _Sides | None:
