@@ -88,7 +88,7 @@ def test_json_documents_have_the_entries_that_the_manual_names(
         "robot list": {"robots", "files"},
         "robot show puma560": {
             *("name", "title", "conformance", "rated_payload", "tool_motion", "joints", "following"),
-            *("inverse_kinematics", "origins", "tip"),
+            *("inverse_kinematics", "origins", "path_limits", "tip"),
         },
         "robot audit puma560": {"ok", "tip"} | found,
         "robot export scara my_arm.toml": {"ok", "path", "tip"} | found,

@@ -30,6 +30,8 @@ tool = "jaws"
 
 [controller]  # of this robot
 path_speed = 600  # mm/s, as its sheet says
+path_acceleration = 2000
+path_jerk = 20000
 
 [tools.jaws]
 mass = 1.0

@@ -193,6 +193,7 @@ from ropsim.model.robots.payload import Payload as Payload
 from ropsim.model.robots.payload import box as box
 from ropsim.model.robots.payload import combine as combine
 from ropsim.model.robots.payload import moved as moved
+from ropsim.model.robots.published_path_limits import PublishedPathLimits as PublishedPathLimits
 from ropsim.model.robots.robot import RobotModel as RobotModel
 from ropsim.model.robots.robot import is_bare as is_bare
 from ropsim.model.robots.robot import with_axis_limits as with_axis_limits

@@ -10,6 +10,7 @@ from ropsim.model import (
     ArmClass,
     Joint,
     JointType,
+    PublishedPathLimits,
     ReadRobot,
     RobotModel,
     Shape,
@@ -89,6 +90,7 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
         root.findings.add(kinds.DRIVES_WITHOUT_MASSES, root.key_span("drives"), message, hint)
     home = _home(root, table.joints, units)
     rated_payload = root.number("payload", PAYLOAD, inf) if "payload" in root else inf
+    path_limits = _path_limits(root, units)
     gravity = frozen(root.numbers("gravity", 3, GRAVITY, DOWN))
     wrong = tuple(
         number_findings(
@@ -113,6 +115,7 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
         dh=table.rows if convention == "standard" else (),
         rated_payload=rated_payload,
         arm_class=arm_class,
+        path_limits=path_limits,
     )
     if table.coupled and not any(one.is_error for one in root.findings.items):
         robot = with_coupled_axes(robot, table.coupled)
@@ -152,6 +155,23 @@ def _home(root: TomlTable, joints: tuple[Joint, ...], units: Units) -> Array:
         for k, (item, joint) in enumerate(zip(value, joints, strict=True))
     ]
     return frozen(np.clip(given, [one.lower for one in joints], [one.upper for one in joints]))
+
+
+def _path_limits(root: TomlTable, units: Units) -> PublishedPathLimits | None:
+    """Return the limits of tool paths that the maker publishes; None where the file says nothing of them."""
+    asked = {
+        name: quantity
+        for name, quantity in (
+            ("path_acceleration", units.path(2, 1e3)),
+            ("path_jerk", units.path(3, 1e5)),
+            ("orientation_speed", units.orientation(1, 100.0)),
+            ("orientation_acceleration", units.orientation(2, 1e4)),
+            ("orientation_jerk", units.orientation(3, 1e6)),
+        )
+        if name in root
+    }
+    given = {name.removeprefix("path_"): root.number(name, one, 1.0) for name, one in asked.items()}
+    return PublishedPathLimits(**given) if given else None
 
 
 def _coordinate(joint: Joint, units: Units) -> Quantity:

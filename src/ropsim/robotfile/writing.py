@@ -13,6 +13,7 @@ from ropsim.model import (
     Joint,
     JointType,
     Link,
+    PublishedPathLimits,
     RobotModel,
     WrittenRobot,
     carrier_frame,
@@ -80,6 +81,7 @@ def write_robot_file(robot: RobotModel) -> WrittenRobot:
         "origins": _rows([_origin(one.parameters, one.kind, one.source) for one in robot.origins]),
         "class": text(robot.arm_class.value) if robot.arm_class is not None else "",
         "payload": number(robot.rated_payload) if isfinite(robot.rated_payload) else "",
+        **_path_limits(robot.path_limits),
         "joints": _rows(
             [
                 _joint(one, j) | _coupled(robot, coupled, k)
@@ -177,6 +179,16 @@ def _losses(robot: RobotModel, undrawn: Sequence[str]) -> Iterator[Diagnostic]:
 
 def _origin(parameters: str, kind: str, source: str) -> dict[str, str]:
     return {"parameters": text(parameters), "kind": text(kind), "source": text(source)}
+
+
+def _path_limits(limits: PublishedPathLimits | None) -> dict[str, str]:
+    """Return the keys of the limits of tool paths."""
+    kinds = {"acceleration": JointType.PRISMATIC, "jerk": JointType.PRISMATIC}
+    given = limits.given if limits else {}
+    return {
+        f"path_{name}" if name in kinds else name: rate(value, kinds.get(name, JointType.REVOLUTE))
+        for name, value in given.items()
+    }
 
 
 def _joint(found: DhRow, joint: Joint) -> dict[str, str]:

@@ -4,6 +4,7 @@ from ropsim.robots.catalogue import INDEX as INDEX
 from ropsim.robots.catalogue import CatalogueEntry as CatalogueEntry
 from ropsim.robots.catalogue import catalogue as catalogue
 from ropsim.robots.catalogue import catalogue_text as catalogue_text
+from ropsim.robots.default_path_limits import default_path_limits as default_path_limits
 from ropsim.robots.devices import conveyor as conveyor
 from ropsim.robots.devices import rotary as rotary
 from ropsim.robots.devices import shaped_conveyor as shaped_conveyor

@@ -24,9 +24,9 @@ from ropsim.model import (
     NoGains,
     OriginKind,
     ParameterOrigin,
-    PathDefaults,
     Rates,
 )
+from ropsim.robots.default_path_limits import default_path_limits
 from ropsim.robots.diagnostics import NoControllerError
 from ropsim.robots.elastic_gears import (
     ELASTIC_SHARE,
@@ -168,18 +168,23 @@ def standard_torque_gains(robot: Mechanism, rates: Rates) -> ComputedTorqueGains
 
 
 def standard_controller(robot: Mechanism, rates: Rates) -> ControllerModel:
-    """Return the standard controller of an arm: the ideal one where it has no drives."""
+    """Return the standard controller of an arm: the ideal one where it has no drives.
+
+    Its limits of tool paths are those of `default_path_limits`. They follow from the model: joint limits of a
+    cell file do not change them, so that a calibrated cell keeps its path limits.
+    """
     kind, gains, origins = _law(robot, rates)
     windows, hydraulic = np.full(robot.n, IN_POSITION), hydraulic_axes(robot)
     windows[hydraulic] = WINDOW
+    path, path_origins = default_path_limits(robot)
     return ControllerModel(
         kind=kind,
         rates=rates,
         gains=gains,
-        path=PathDefaults(),
+        path=path,
         in_position=windows,
         settle_timeout=LONGEST_SETTLING if hydraulic else SETTLE_TIMEOUT,
-        origins=origins,
+        origins=(*origins, *path_origins),
     )
 
 

@@ -103,3 +103,20 @@ def test_several_values_are_replaced_at_once() -> None:
     text = "[a]\nx = 1 # one\ny = 3\nz = 5\n"
     made = with_values(SourceText("t", text), ("a",), {"x": "[40, 50]", "z": "6", "y": "-70"})
     assert made == "[a]\nx = [40, 50] # one\ny = -70\nz = 6\n"
+
+
+def test_joint_limits_leave_the_path_limits_as_they_are() -> None:
+    """Else a calibrated cell would have other path limits at each calibration."""
+    changed = station(f"{HEAD}[controller]\njoint_acceleration = [90, 180, 500, 360]\n")
+    assert changed.controller.path == station(HEAD).controller.path
+
+
+def test_path_limits_of_the_file_are_named_in_their_origin() -> None:
+    controller = station(f"{HEAD}[controller]\npath_acceleration = 1500\n").controller
+    assert controller.path.acceleration == 1.5
+    (origin,) = (one for one in controller.origins if one.parameters == "path limits")
+    assert origin.source.startswith(
+        "path_acceleration as in the cell file; the others what the joints can do"
+    )
+    (gains,) = (one for one in controller.origins if one.parameters == "controller gains")
+    assert "as in the cell file" not in gains.source

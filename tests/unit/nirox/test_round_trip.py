@@ -25,6 +25,7 @@ from ropsim.model import (
     Material,
     Mesh,
     Polyline,
+    PublishedPathLimits,
     RobotModel,
     Shape,
     Sphere,
@@ -78,6 +79,7 @@ def test_robots_on_a_track_and_beside_a_positioner_come_back() -> None:
     both = replace(
         beside(arm, robots.tilting_turntable(0.4), PLACE), rated_payload=2.5, arm_class=ArmClass.SEVEN_AXIS
     )
+    both = replace(both, path_limits=PublishedPathLimits(acceleration=7.0, orientation_jerk=250.0))
     assert both.external == (6, 7, 8)
     assert again(both) == both
 

@@ -8,7 +8,16 @@ import pytest
 
 from ropsim import dynamics, kinematics, robots
 from ropsim.core import SourceText
-from ropsim.model import DcMotor, EffortAmplifier, Joint, JointType, Link, RobotModel, coupled_limits
+from ropsim.model import (
+    DcMotor,
+    EffortAmplifier,
+    Joint,
+    JointType,
+    Link,
+    PublishedPathLimits,
+    RobotModel,
+    coupled_limits,
+)
 from ropsim.robotfile import read_robot_file, write_robot_file
 from ropsim.robotfile.common_normals import common_normals
 from ropsim.spatial import Pose
@@ -27,6 +36,14 @@ def again(robot: RobotModel) -> RobotModel:
     assert [one.code for one in read.findings] == []
     assert read.robot is not None
     return read.robot
+
+
+def test_limits_of_tool_paths_come_back() -> None:
+    limits = PublishedPathLimits(7.5, 60.0, None, 20.0, None)
+    found = again(replace(robots.load("two_link"), path_limits=limits)).path_limits
+    assert found is not None
+    assert found.given == pytest.approx(limits.given)
+    assert again(robots.load("two_link")).path_limits is None
 
 
 def test_the_rated_payload_comes_back() -> None:

@@ -88,7 +88,7 @@ def test_speed_loops_stay_below_a_share_of_that_and_the_origin_says_so() -> None
     speed = robots.standard_bandwidths(R3, Rates()).speed
     assert (speed[:3] <= ELASTIC_SHARE * swings[:3] + 1e-9).all()
     assert np.isinf(swings[3:]).all()
-    [origin] = robots.default_controller("manutec_r3").origins
+    origin, _ = robots.default_controller("manutec_r3").origins
     assert f"swing at {swings[:3].min():.3g} to {swings[:3].max():.3g} rad/s" in origin.source
 
 

@@ -87,7 +87,7 @@ def test_bandwidths_stay_below_the_electrical_pole_and_the_control_rate(
 
 
 def test_the_origin_of_the_gains_states_the_bandwidths() -> None:
-    [origin] = robots.default_controller("puma560").origins
+    origin, _ = robots.default_controller("puma560").origins
     assert origin.kind == "derived"
     assert "speed loops 200 rad/s, position loops 60 rad/s" in origin.source
 

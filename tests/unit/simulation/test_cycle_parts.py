@@ -19,7 +19,7 @@ ROBOT = robots.load("puma560")
 CELL = one_station(
     "c",
     ROBOT,
-    robots.default_controller("puma560"),
+    replace(robots.default_controller("puma560"), path=PathDefaults()),  # the joints can do more
     tools={"": Tool("")},
     start=ROBOT.home,
     signals={"lamp": Signal("lamp", is_input=False)},

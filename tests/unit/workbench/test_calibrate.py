@@ -67,7 +67,7 @@ def test_written_limits_are_those_of_the_robot(folder: Path, capsys: pytest.Capt
     assert told["written"] == [str(folder / "p" / "cell.toml")]
     assert told["calibration"]["limits"]["joint 1"]["acceleration"]["known"] == "fitted"
     assert new.joints[1, 0] == pytest.approx(0.7 * old.joints[1, 0], rel=0.02)
-    kept = [line for line in CELL.splitlines() if "path_speed" not in line]
+    kept = [line for line in CELL.splitlines() if "path_" not in line]
     written = (folder / "p" / "cell.toml").read_text().splitlines()
     assert [line for line in kept if line not in written] == []
 
@@ -132,8 +132,11 @@ def test_a_trace_that_is_not_there_is_wrong_usage(folder: Path, capsys: pytest.C
 def test_a_section_in_one_line_is_left_and_the_lines_are_told(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    lines = [line for line in CELL.splitlines() if not line.startswith(("[controller]", "path_speed"))]
-    short = "\n".join(["controller = { path_speed = 600 }", *lines]) + "\n"
+    lines = [line for line in CELL.splitlines() if not line.startswith(("[controller]", "path_"))]
+    short = (
+        "\n".join(["controller = { path_speed = 600, path_acceleration = 2000, path_jerk = 20000 }", *lines])
+        + "\n"
+    )
     (folder / "p" / "cell.toml").write_text(short)
     assert called(folder, "--write") == 0
     assert "put this into cell.toml" in capsys.readouterr().out

@@ -31,6 +31,14 @@ from ropsim.spatial import Array, Pose, frozen, record
 from ropsim.tomltext import NUMBER, SHARE, TIME, Quantity, Question, Sort, TomlTable, Units
 
 _LIMITS = ("joint_speed", "joint_acceleration", "joint_jerk")
+_OF_PATHS = "path limits"
+_PATH_KEYS = (
+    "path_acceleration",
+    "path_jerk",
+    "orientation_speed",
+    "orientation_acceleration",
+    "orientation_jerk",
+)
 _GAIN = NUMBER.within(0.0, 1e6)
 _SHARES = {"kf": NUMBER.within(0.0, 2.0)}
 _SETTLE = TIME.within(0.0, 60.0)
@@ -214,7 +222,13 @@ def _controller(
             table.choice("ptp", [one.value for one in Synchronisation], controller.ptp.value)
         ),
         correction=_correction(table, controller.correction, units),
-        origins=tuple(_with_given(origin, given) for origin in controller.origins),
+        origins=tuple(
+            _with_given(
+                origin,
+                [key for key in _PATH_KEYS if key in table] if origin.parameters == _OF_PATHS else given,
+            )
+            for origin in controller.origins
+        ),
     )
 
 
@@ -233,7 +247,7 @@ def _limited(table: TomlTable, model: RobotModel, units: Units) -> RobotModel:
 
 
 def _with_given(origin: ParameterOrigin, given: Sequence[str]) -> ParameterOrigin:
-    """Return the origin of the gains, naming those from the cell file."""
+    """Return the origin of gains or path limits, naming those from the cell file."""
     if not given:
         return origin
     return replace(origin, source=f"{', '.join(given)} as in the cell file; the others {origin.source}")

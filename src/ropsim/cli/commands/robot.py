@@ -108,6 +108,7 @@ def show(options: argparse.Namespace, output: Output) -> int:
             "tip": tip_name(asked),
             "rated_payload": robot.rated_payload if math.isfinite(robot.rated_payload) else None,
             "tool_motion": _tool_motion_document(robot),
+            "path_limits": robot.path_limits.given if robot.path_limits else None,
             "joints": [
                 {"name": joint.name, "type": joint.type.value, "lower": joint.lower, "upper": joint.upper}
                 for joint in robot.axis_joints
@@ -214,7 +215,22 @@ def _tool_motion(robot: RobotModel) -> list[str]:
         for value in (limits.orientation_speed, limits.orientation_acceleration)
     )
     place = f"tool, {robots.TOOL_LENGTH * 1e3:.0f} mm before the flange, amid the workspace"
-    return ["", f"{place}: {limits.acceleration:g} m/s², {turning} °/s, {turned} °/s²"]
+    found = ["", f"{place}: {limits.acceleration:g} m/s², {turning} °/s, {turned} °/s²"]
+    return [*found, *_published_limits(robot)]
+
+
+def _published_limits(robot: RobotModel) -> list[str]:
+    """Return a line for the limits of tool paths that the maker publishes."""
+    shown = {"acceleration": "m/s²", "jerk": "m/s³"}
+    turns = {"orientation_speed": "°/s", "orientation_acceleration": "°/s²", "orientation_jerk": "°/s³"}
+    given = robot.path_limits.given if robot.path_limits else {}
+    words = [f"{value:g} {shown[name]}" for name, value in given.items() if name in shown]
+    words += [
+        f"{float(f'{np.degrees(value):.3g}'):g} {turns[name]}"
+        for name, value in given.items()
+        if name in turns
+    ]
+    return [f"limits of tool paths from the maker: {', '.join(words)}"] if words else []
 
 
 def _tool_motion_document(robot: RobotModel) -> dict[str, float] | None:

@@ -117,6 +117,7 @@ def word_losses(robot: RobotModel, home: str = "the home position") -> Iterable[
         ("where its numbers come from", bool(robot.origins)),
         ("which of its axes are external", bool(robot.external)),
         ("its rated payload", isfinite(robot.rated_payload)),
+        ("limits of tool paths", robot.path_limits is not None),
         ("its class", robot.arm_class is not None),
     )
     lost = [what for what, is_lost in rows if is_lost]

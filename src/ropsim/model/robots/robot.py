@@ -9,6 +9,7 @@ from ropsim.model.mechanism.mechanism import Mechanism
 from ropsim.model.mechanism.number_check import check_finite
 from ropsim.model.robots.arm_class import ArmClass
 from ropsim.model.robots.dh import DhRow
+from ropsim.model.robots.published_path_limits import PublishedPathLimits
 from ropsim.spatial import Array, Pose, record
 
 LAST = -2
@@ -29,6 +30,7 @@ class RobotModel(Mechanism):
         rated_payload: mass that the maker allows at the interface, tool and part together [kg]; inf where
             unknown.
         arm_class: what it is built as, for rules of estimates; None where nothing but its axes says so.
+        path_limits: of tool paths, as its maker publishes them; None where he says nothing.
 
     Raises:
         ModelValueError: the interface is not finite, the rated payload not positive; as `Mechanism`.
@@ -40,6 +42,7 @@ class RobotModel(Mechanism):
     external: tuple[int, ...] = ()
     rated_payload: float = inf
     arm_class: ArmClass | None = None
+    path_limits: PublishedPathLimits | None = None
 
     __repr__ = Mechanism.__repr__
 

@@ -1,5 +1,6 @@
 """The arm of a valid file: mechanism, axes, frames, rest position, couplings, origins."""
 
+from dataclasses import fields
 from functools import partial
 from math import inf
 from typing import TypeAlias
@@ -14,6 +15,7 @@ from ropsim.model import (
     LoopCut,
     OriginKind,
     ParameterOrigin,
+    PublishedPathLimits,
     RobotModel,
     number_findings,
 )
@@ -66,6 +68,7 @@ def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...
     external: tuple[int, ...] = seen.attempt(partial(read_external, seen, pairs), ())
     rated_payload = seen.attempt(partial(_rated_payload, seen), inf)
     arm_class = seen.attempt(partial(_arm_class, seen), None)
+    path_limits = seen.attempt(partial(_path_limits, seen), None)
     wrong = tuple(number_findings(joints.joints, links, axes, drives, places_of(seen, axes)))
     if wrong:
         for one in () if seen.is_refused else wrong:
@@ -90,6 +93,7 @@ def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...
         external=external,
         rated_payload=rated_payload,
         arm_class=arm_class,
+        path_limits=path_limits,
     )
     return robot, frames
 
@@ -162,6 +166,16 @@ def _arm_class(seen: Seen) -> ArmClass | None:
     for entry in seen.extent("arm_class"):
         seen.take(entry, "arm class")
         return ArmClass[seen.text(entry, "build").upper()]
+    return None
+
+
+def _path_limits(seen: Seen) -> PublishedPathLimits | None:
+    """Return the limits of tool paths from the maker; None if missing in the file."""
+    for entry in seen.extent("tool_path_limits"):
+        seen.take(entry, "path limits")
+        names = [one.name for one in fields(PublishedPathLimits)]
+        given = [one for one in names if seen.has(entry, f"max_{one}")]
+        return PublishedPathLimits(**{one: seen.real(entry, f"max_{one}") for one in given})
     return None
 
 

@@ -1,10 +1,11 @@
 """The arm itself as instances: axes, frames, rest position, couplings, and where its numbers come from."""
 
 from collections.abc import Iterator
+from dataclasses import fields
 from math import isfinite
 
 from ropsim.core import Diagnostic
-from ropsim.model import Joint, JointType, RobotModel
+from ropsim.model import Joint, JointType, PublishedPathLimits, RobotModel
 from ropsim.nirox.building import DERIVED, UNSET, Building, FurtherFrame, bounded, reals
 from ropsim.nirox.diagnostics import LOST
 from ropsim.nirox.writers.mechanism import MechanismWriting
@@ -48,6 +49,10 @@ def write_arm(
     _couplings(building, robot)
     if isfinite(robot.rated_payload):
         building.add(("rated payload",), "RATED_PAYLOAD", building.at(("arm",)), float(robot.rated_payload))
+    if robot.path_limits is not None:
+        limits = (getattr(robot.path_limits, one.name) for one in fields(PublishedPathLimits))
+        known = (UNSET if one is None else float(one) for one in limits)
+        building.add(("path limits",), "TOOL_PATH_LIMITS", building.at(("arm",)), *known)
     if robot.arm_class is not None:
         build = Enumeration(robot.arm_class.name)
         building.add(("arm class",), "ARM_CLASS", building.at(("arm",)), build)

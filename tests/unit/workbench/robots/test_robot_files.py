@@ -19,6 +19,11 @@ LIMITS = """
 joint_speed = [110, 86, 137, 305, 291, 328]
 joint_acceleration = [340, 280, 510, 1400, 1400, 1400]
 joint_jerk = [3400, 2800, 5100, 14000, 14000, 14000]
+path_acceleration = 2000
+path_jerk = 20000
+orientation_speed = 60
+orientation_acceleration = 340
+orientation_jerk = 3400
 """
 PROGRAM = "program main\nunits mm, deg, s\nmov (450, 150, 500)\nlin (450, 50, 450)\n"
 BENT = "program main\nunits mm, deg, s\nmov joints(30, 60)\nmov joints(-40, 90)\n"
