@@ -39,11 +39,13 @@ from ropsim.dynamics.gravity_loads import gravity_loads as gravity_loads
 from ropsim.dynamics.greatest_gravity import greatest_gravity_loads as greatest_gravity_loads
 from ropsim.dynamics.inertia import barycentric as barycentric
 from ropsim.dynamics.loaded_arm import trace_loaded_inverse as trace_loaded_inverse
+from ropsim.dynamics.loaded_arm import trace_loaded_links as trace_loaded_links
 from ropsim.dynamics.long_arms.long_arm import chain_acceleration_code as chain_acceleration_code
 from ropsim.dynamics.long_arms.long_arm import chain_numbers as chain_numbers
 from ropsim.dynamics.model_check import check_model as check_model
 from ropsim.dynamics.moved_masses import check_moved_masses as check_moved_masses
 from ropsim.dynamics.moved_masses import massless_axes as massless_axes
+from ropsim.dynamics.rigid_gears import with_rigid_gears as with_rigid_gears
 from ropsim.dynamics.structure import MOST_JOINTS as MOST_JOINTS
 from ropsim.dynamics.structure import ArmStructure as ArmStructure
 from ropsim.dynamics.structure import arm_numbers as arm_numbers

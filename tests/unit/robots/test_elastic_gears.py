@@ -10,7 +10,7 @@ from ropsim import robots
 from ropsim.dynamics import gravity, mass_matrices, reflected_inertia
 from ropsim.kinematics import configurations
 from ropsim.model import CascadedGains, ElasticGear, Friction, Payload, Rates, RobotModel
-from ropsim.robots.elastic_gears import ELASTIC_SHARE, elastic_frequencies
+from ropsim.robots.loops.elastic_gears import ELASTIC_SHARE, elastic_frequencies
 from ropsim.simulation import Servo
 from ropsim.spatial import Array
 from support.servo_cases import quintic, standing

@@ -61,3 +61,24 @@ def elastic_frequencies(robot: Mechanism, Q: Array) -> Array:
         with np.errstate(divide="ignore"):
             found[axes] = np.sqrt(alone.max() / together / alone)
     return found
+
+
+def elastic_words(swings: Array, share: float) -> str:
+    """Return how elastic gears bound the speed loops of their axes; empty where all are rigid.
+
+    Args:
+        swings: how fast each axis swings [rad/s], inf for rigid gears, shape (n,).
+        share: most of that for the crossover of a speed loop.
+    """
+    if not np.isfinite(swings).any():
+        return ""
+    return (
+        f"; axes with elastic gears swing at {span(swings[np.isfinite(swings)])} rad/s while motors are held, "
+        f"their speeds are measured at the motors, in loops of at most {share:g} of that"
+    )
+
+
+def span(values: Array) -> str:
+    """Return the least and the greatest of some numbers in words."""
+    low, high = f"{values.min():.3g}", f"{values.max():.3g}"
+    return low if low == high else f"{low} to {high}"
