@@ -1,34 +1,41 @@
 """The servo loop of an arm about a rest, linear and tick by tick: true plant, true law, output held."""
 
+import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from scipy.linalg import expm
 
 from ropsim.codegen import Engine, load
-from ropsim.controller import CompiledLaw, law_of
+from ropsim.controller import CompiledLaw, LawTraits, law_of
 from ropsim.dynamics import (
     arm_numbers,
+    axis_inertias,
     barycentric,
-    command_limit,
+    effort_limits,
     gravity,
-    mass_matrix,
+    gravity_loads,
     steady_drive,
     structure_of,
 )
 from ropsim.kinematics import configurations
-from ropsim.model import ControllerModel, Payload, RobotModel
-from ropsim.simulation.servo.plant_code import plant_code
-from ropsim.simulation.servo.state import StateLayout
+from ropsim.model import ControllerModel, Payload, RobotModel, cube_of_water, with_payload
+from ropsim.simulation.testing import StateLayout, plant_code
 from ropsim.spatial import Array
 
 _SMALL = 1e-6
-"""Step of the central differences, in SI units of each state."""
+"""Step of the central differences, in SI units of each number."""
+_HELD = 0.95
+"""Most of the torque limits that gravity takes where an arm is to be controlled."""
+POSTURES = 256
+"""Postures of which three are chosen."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ClosedLoop:
-    """z ← A·z + B·q_ref once per control tick; z is the state of the plant, then that of the law.
+    """z ← A·z + B·q_ref once per control tick; z holds the plant, the law, and outputs on their way.
 
     Attributes:
         A: shape (s, s).
@@ -43,61 +50,87 @@ class ClosedLoop:
         """Return the largest magnitude of an eigenvalue: below 1 the loop is stable."""
         return float(np.abs(np.linalg.eigvals(self.A)).max())
 
-    def step(self, axis: int, ticks: int) -> Array:
-        """Return how an axis answers a step of 1 of its reference, shape (ticks,)."""
-        z, answers = np.zeros(len(self.A)), np.empty(ticks)
-        for k in range(ticks):
-            z = self.A @ z + self.B[:, axis]
-            answers[k] = z[axis]
-        return answers
-
     def overshoots(self, ticks: int) -> Array:
         """Return by which share each axis goes beyond a step of its reference, shape (n,)."""
-        n = self.B.shape[1]
-        Z, most = np.zeros(self.B.shape), np.zeros(n)
+        Z, most = np.zeros(self.B.shape), np.zeros(self.B.shape[1])
         for _ in range(ticks):
             Z = self.A @ Z + self.B
-            most = np.maximum(most, np.diag(Z[:n]))
+            most = np.maximum(most, np.diag(Z))
         return np.asarray(np.maximum(most - 1.0, 0.0))
 
 
-def closed_loop(
-    robot: RobotModel, controller: ControllerModel, q: Array, payload: Payload, late: int = 0
-) -> ClosedLoop:
-    """Return the loop about a rest, without dry friction, which would damp it.
+@dataclass(frozen=True, slots=True, eq=False)
+class OpenLoop:
+    """Plant and law of an arm about a rest.
+
+    Attributes:
+        F: how the state of the plant follows from that a tick before, shape (s, s).
+        G: and from the output of the law, shape (s, n).
+        K: how that follows from state of the plant, state of the law, and reference, shape (n, s + m + n).
+        L: how the state of the law follows from these, shape (m, s + m + n).
+    """
+
+    F: Array
+    G: Array
+    K: Array
+    L: Array
+
+    def closed(self, late: int = 0) -> ClosedLoop:
+        """Return the closed loop; the output of the law acts by some ticks later than it does."""
+        (s, n), m = self.G.shape, len(self.L)
+        first, size = s + m, s + m + late * n
+        A, B = np.zeros((size, size)), np.zeros((size, n))
+        A[:s, :s], A[s:first, :first], B[s:first] = self.F, self.L[:, :first], self.L[:, first:]
+        now, reference = self.K[:, :first], self.K[:, first:]
+        if late:
+            A[:s, first : first + n] = self.G
+            A[first:-n, first + n :] = np.eye((late - 1) * n)
+            A[-n:, :first], B[-n:] = now, reference
+        else:
+            A[:s, :first] += self.G @ now
+            B[:s] = self.G @ reference
+        return ClosedLoop(A, B)
+
+
+def open_loop(robot: RobotModel, controller: ControllerModel, q: Array, payload: Payload) -> OpenLoop:
+    """Return plant and law about a rest, without dry friction, which would damp the loop.
 
     Args:
         robot: with drives.
         controller: of the arm.
         q: coordinates of the rest [rad | m], shape (n,).
         payload: in the hand; the law knows it.
-        late: ticks by which the output of the law acts later than it does.
     """
-    law = law_of(controller, robot)
-    robot = slippery(robot)
-    law_ = replace(law, parameters=law_of(controller, robot).parameters)
-    x, u = _rest(robot, q, payload)
-    F, G = _plant(robot, payload, x, u, controller.rates.control_period)
-    Kx, Km, Kr, Px, Pm, Pr = _law(law_, robot, x, payload)
-    m = len(Pm)
-    A = np.block([[F + G @ Kx, G @ Km], [Px, Pm]])
-    B = np.vstack((G @ Kr, Pr))
-    if late:
-        n, s = robot.n, len(F)
-        A0 = np.zeros((s + m + late * n,) * 2)
-        A0[:s, :s], A0[s : s + m, :s], A0[s : s + m, s : s + m] = F, Px, Pm
-        A0[:s, s + m : s + m + n] = G
-        for d in range(late - 1):
-            A0[s + m + d * n : s + m + (d + 1) * n, s + m + (d + 1) * n : s + m + (d + 2) * n] = np.eye(n)
-        A0[-n:, :s], A0[-n:, s : s + m] = Kx, Km
-        B0 = np.zeros((len(A0), n))
-        B0[s : s + m], B0[-n:] = Pr, Kr
-        A, B = A0, B0
-    return ClosedLoop(A, B)
+    arm = _without_dry_friction(robot)
+    x, u = _rest(arm, q, payload)
+    F, G = _plant(arm, payload, (x, u), controller.rates.control_period)
+    K, L = _law(law_of(controller, robot), arm, x, payload)
+    return OpenLoop(F, G, K, L)
 
 
-def slippery(robot: RobotModel) -> RobotModel:
-    """Return an arm without dry friction."""
+def rated_load(mass: float) -> Payload:
+    """Return a cube of water on the interface, or nothing for a mass of 0 [kg]."""
+    return cube_of_water(mass) if mass else Payload()
+
+
+def postures(robot: RobotModel, mass: float) -> Array:
+    """Return three postures that the drives can hold: axis 1 moves least, a middle inertia, and most.
+
+    Args:
+        robot: with drives.
+        mass: of the load in the hand [kg].
+
+    Returns:
+        Shape (3, n) [rad | m].
+    """
+    loaded, Q = with_payload(robot, mass), configurations(robot, POSTURES)
+    Q = Q[(np.abs(gravity_loads(loaded, Q)) < _HELD * effort_limits(robot)).all(axis=1)]
+    inertia = axis_inertias(loaded, Q)[:, 0]
+    middle = np.sqrt(inertia.min() * inertia.max())
+    return np.asarray(Q[[inertia.argmin(), np.abs(np.log(inertia / middle)).argmin(), inertia.argmax()]])
+
+
+def _without_dry_friction(robot: RobotModel) -> RobotModel:
     drives = (
         replace(one, friction=replace(one.friction, coulomb_positive=0.0, coulomb_negative=0.0))
         for one in robot.drives
@@ -105,13 +138,8 @@ def slippery(robot: RobotModel) -> RobotModel:
     return replace(robot, drives=tuple(drives))
 
 
-def _layout(robot: RobotModel, law: CompiledLaw) -> StateLayout:
-    return StateLayout.of(structure_of(robot).drives, law.traits)
-
-
 def _rest(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Array]:
-    from ropsim.controller import LawTraits
-
+    """Return the integrated state of an arm at rest, and the outputs of its amplifiers."""
     layout = StateLayout.of(structure_of(robot).drives, LawTraits())
     x, u = np.zeros(layout.integrated), np.zeros(robot.n)
     x[: robot.n] = q
@@ -122,85 +150,48 @@ def _rest(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Array]:
     return x, u
 
 
-def _plant(robot: RobotModel, payload: Payload, x: Array, u: Array, period: float) -> tuple[Array, Array]:
+def _plant(
+    robot: RobotModel, payload: Payload, rest: tuple[Array, Array], period: float
+) -> tuple[Array, Array]:
+    """Return how the state after a tick follows from that before it and from the command of the law."""
     code = plant_code(structure_of(robot))
     constants = code.constants(arm_numbers(robot, payload))
-    s, n = len(x), len(u)
-    derivative = (
-        load("derivative", code.functions, Engine.PYTHON) if code.functions[-1].name == "derivative" else None
-    )
-    assert derivative is not None
+    derivative, s, n = load("derivative", code.functions, Engine.PYTHON), len(rest[0]), len(rest[1])
 
-    def rate(v: Array) -> Array:
+    def rates(values: Array) -> Array:
         dx = np.empty(s)
-        derivative(v[:s].copy(), v[s:].copy(), constants, dx)
+        derivative(values[:s].copy(), values[s:].copy(), constants, dx)
         return dx
 
-    J = _differences(rate, np.concatenate((x, u)))
     whole = np.zeros((s + n, s + n))
-    whole[:s] = J
-    E = expm(period * whole)
-    sense = np.array([drive.sense for drive in robot.drives])
-    return E[:s, :s], E[:s, s:] * sense
+    whole[:s] = _differences(rates, np.concatenate(rest))
+    after = expm(period * whole)
+    return after[:s, :s], after[:s, s:] * np.array([drive.sense for drive in robot.drives])
 
 
-def _law(law: CompiledLaw, robot: RobotModel, x: Array, payload: Payload) -> tuple[Array, ...]:
-    from typing import Any
-    import math
-
+def _law(law: CompiledLaw, robot: RobotModel, x: Array, payload: Payload) -> tuple[Array, Array]:
+    """Return how outputs and next states of a law follow from state, law and reference: two matrices."""
     scope: dict[str, Any] = {"math": math, "np": np}
+    for one in law.functions:
+        exec(one.text, scope)
     exec(law.source, scope)
-    n, layout = robot.n, _layout(robot, law)
-    speeds = list(layout.measured_speeds)
-    rows = layout.law_rows
+    layout = StateLayout.of(structure_of(robot).drives, law.traits)
+    n, s, speeds = robot.n, layout.integrated, list(layout.measured_speeds)
     numbers = np.array(barycentric(payload.mass, payload.com, payload.inertia))
-    s = len(x)
-    q0 = x[:n].copy()
 
-    def f(v: Array) -> Array:
-        ref, meas = np.zeros((3, n)), np.zeros((3, n))
-        ref[0], meas[0], meas[1] = v[s + rows * n :], v[:n], v[speeds]
-        state, out = v[s : s + rows * n].reshape(rows, n).copy(), np.zeros(n)
+    def answers(values: Array) -> Array:
+        ref, meas, out = np.zeros((3, n)), np.zeros((3, n)), np.zeros(n)
+        ref[0], meas[0], meas[1] = values[-n:], values[:n], values[speeds]
+        state = values[s:-n].reshape(-1, n).copy()
         scope["law"](law.parameters, state, ref, meas, numbers, np.zeros(0), out)
         return np.concatenate((out, state.ravel()))
 
-    # about the rest the integral holds: put it where the output is that of the rest
-    v0 = np.concatenate((x, np.zeros(rows * n), q0))
-    J = _differences(f, v0)
-    r = rows * n
-    return J[:n, :s], J[:n, s : s + r], J[:n, s + r :], J[n:, :s], J[n:, s : s + r], J[n:, s + r :]
+    rest = np.concatenate((x, np.zeros(layout.law_rows * n), x[:n]))
+    J = _differences(answers, rest)
+    return J[:n], J[n:]
 
 
-def _differences(f, v: Array) -> Array:
-    columns = []
-    for k in range(len(v)):
-        step = np.zeros(len(v))
-        step[k] = _SMALL
-        columns.append((f(v + step) - f(v - step)) / (2.0 * _SMALL))
-    return np.array(columns).T
-
-
-def postures(robot: RobotModel, payload: Payload, count: int = 256) -> Array:
-    """Return three postures that the drives can hold: axis 1 moves least, a middle inertia, and most.
-
-    Args:
-        robot: with drives.
-        payload: in the hand.
-        count: how many postures are looked at.
-
-    Returns:
-        Shape (3, n) [rad | m].
-    """
-    Q = np.array([q for q in configurations(robot, count) if _is_held(robot, q, payload)])
-    inertia = np.array([mass_matrix(robot, q, payload)[0, 0] for q in Q])
-    order = np.argsort(inertia, kind="stable")
-    middle = np.sqrt(inertia.min() * inertia.max())
-    return np.asarray(Q[[order[0], int(np.abs(np.log(inertia / middle)).argmin()), order[-1]]])
-
-
-def _is_held(robot: RobotModel, q: Array, payload: Payload) -> bool:
-    loads = zip(robot.drives, q.tolist(), gravity(robot, q, payload).tolist(), strict=True)
-    return all(
-        abs(steady_drive(drive, place, 0.0, tau).command) < command_limit(drive)
-        for drive, place, tau in loads
-    )
+def _differences(function: Callable[[Array], Array], values: Array) -> Array:
+    """Return the Jacobian of a function by central differences."""
+    steps = _SMALL * np.eye(len(values))
+    return np.array([(function(values + h) - function(values - h)) / (2.0 * _SMALL) for h in steps]).T

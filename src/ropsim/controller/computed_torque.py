@@ -26,6 +26,8 @@ from ropsim.dynamics import (
     check_model,
     command_band,
     command_limit,
+    elastic_axes,
+    gear_stiffnesses,
     split_numbers,
     steady_drive,
     structure_of,
@@ -33,8 +35,7 @@ from ropsim.dynamics import (
     trace_loaded_links,
     with_rigid_gears,
 )
-from ropsim.model import ComputedTorqueGains, ControllerModel, Drive, ElasticGear, Mechanism
-from ropsim.spatial import Array
+from ropsim.model import ComputedTorqueGains, ControllerModel, Drive, Mechanism
 
 _ROWS = (
     *("kp", "kd", "ki", "period"),
@@ -49,6 +50,10 @@ _STIFF = ("integral",)
 _SOFT = ("integral", "acceleration", "twist_speed")
 """States of the law: with elastic gears also the reference acceleration and M·q⃛_ref/k of the tick before."""
 
+_COARSE = 2.0**19
+"""Added and taken away it rounds the integral to 1e-10 rad/s²: digits that move no joint would last for ever,
+and an arm would not come back, to the bit, to the state of a run that began elsewhere."""
+
 _LAW = f"""\
 def law(par, state, ref, meas, load, aux, out):
     torques(par.reshape(-1), state.reshape(-1), ref.reshape(-1), meas.reshape(-1), load, out)
@@ -62,10 +67,12 @@ def law(par, state, ref, meas, load, aux, out):
             u = -limit
         elif abs(u - par[{_BAND}, j] * meas[1, j]) <= par[{_SPAN}, j]:
             asked = par[{_KD}, j] * (speed - meas[1, j]) + par[{_KP}, j] * (ref[0, j] - meas[0, j])
-            state[0, j] += par[{_KI}, j] * asked * par[{_PERIOD}, j]
+            held = state[0, j] + par[{_KI}, j] * asked * par[{_PERIOD}, j]
+            state[0, j] = (held + {_COARSE!r}) - {_COARSE!r}
         out[j] = u
 """
-"""What `torques` leaves in `out` becomes inputs of the amplifiers; the integral stands still while one is at its limit."""
+"""What `torques` leaves in `out` becomes inputs of the amplifiers; while one of them is at its limit, the
+integral of its axis stands still."""
 
 
 def computed_torque(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
@@ -87,27 +94,27 @@ def computed_torque(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
     numbers[numbers == np.inf] = _OPEN
     arm = np.concatenate((numbers, np.zeros(-len(numbers) % n))).reshape(-1, n)
     inputs = [_input(drive, q) for drive, q in zip(robot.drives, robot.home.tolist(), strict=True)]
-    soft = tuple(isinstance(drive.transmission, ElasticGear) for drive in robot.drives)
+    softness, soft = 1.0 / gear_stiffnesses(robot), tuple(elastic_axes(robot).tolist())
+    period = np.full(n, model.rates.control_period)
     return CompiledLaw(
         name="computed_torque",
         source=_LAW.format(twist=" + state[2, j]" if any(soft) else ""),
         parameter_names=(*_ROWS, *(f"arm {k + 1}" for k in range(len(arm)))),
-        parameters=np.vstack((*gains, np.full(n, model.rates.control_period), np.array(inputs).T, arm)),
+        parameters=np.vstack((*gains, period, np.array(inputs).T, softness, arm)),
         traits=LawTraits(state_names=_SOFT if any(soft) else _STIFF),
         functions=(_torques(structure_of(rigid), soft),),
     )
 
 
 def _input(drive: Drive, q: float) -> tuple[float, ...]:
-    """Return command per effort, and per speed without effort, largest command, band, and softness."""
-    band, gear = command_band(drive), drive.transmission
+    """Return command per effort, and per speed without effort, largest command, and band."""
+    band = command_band(drive)
     return (
         steady_drive(drive, q, 0.0, 1.0).command,
         steady_drive(drive, q, 1.0, 0.0).command,
         min(command_limit(drive), _OPEN),
         band.per_speed,
         band.span if isfinite(band.span) else float_info.max,
-        1.0 / gear.stiffness if isinstance(gear, ElasticGear) else 0.0,
     )
 
 

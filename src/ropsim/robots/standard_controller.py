@@ -8,7 +8,7 @@ reference exactly.
 
 import numpy as np
 
-from ropsim.dynamics import chain_of, structure_of
+from ropsim.dynamics import chain_of, check_model, elastic_axes, structure_of
 from ropsim.model import (
     ControllerKind,
     ControllerModel,
@@ -24,7 +24,6 @@ from ropsim.model import (
     Rates,
 )
 from ropsim.robots.loops.cascaded_loops import cascade_statement, standard_gains
-from ropsim.robots.loops.elastic_gears import elastic_axes
 from ropsim.robots.loops.hydraulic_loops import (
     LONGEST_SETTLING,
     WINDOW,
@@ -43,9 +42,15 @@ SETTLE_TIMEOUT = 1.0
 
 
 def standard_controller(robot: Mechanism, rates: Rates) -> ControllerModel:
-    """Return the standard controller of an arm: the ideal one where it has no drives."""
+    """Return the standard controller of an arm: the ideal one where it has no drives.
+
+    Raises:
+        JointCountError: links or drives are missing.
+        MechanismError: the mechanism cannot be.
+    """
     if not robot.drives:
         return _controller(robot, rates, ControllerKind.IDEAL, NoGains(), ())
+    check_model(robot)
     if not _is_modelled(robot):
         return cascaded_controller(robot, rates)
     gains, origin = standard_torque_gains(robot, rates), _origin(torque_statement(robot, rates))

@@ -8,7 +8,7 @@ import numpy as np
 from ropsim.model.robots.payload import Payload, box, combine, moved
 from ropsim.model.robots.robot import RobotModel
 
-WATER = 1000.0
+WATER = 1000
 """Density of the load, a cube on the interface [kg/m³]."""
 
 

@@ -8,17 +8,23 @@ from functools import lru_cache
 
 import numpy as np
 
-from ropsim.dynamics import axis_inertias, chain_of, free_inertias, rotor_inertias, steady_drive
+from ropsim.dynamics import (
+    axis_inertias,
+    chain_of,
+    elastic_axes,
+    free_inertias,
+    gear_stiffnesses,
+    rotor_inertias,
+    steady_drive,
+)
 from ropsim.kinematics import configurations
 from ropsim.model import CascadedGains, Mechanism, Rates
 from ropsim.robots.diagnostics import NoControllerError
 from ropsim.robots.loops.elastic_gears import (
     ELASTIC_SHARE,
     SOFTER,
-    elastic_axes,
     elastic_frequencies,
     elastic_words,
-    gear_stiffnesses,
     span,
 )
 from ropsim.spatial import Array, frozen, record

@@ -36,8 +36,8 @@ LEAST_SHARE = 0.03
 """Least of it: open valves also damp."""
 VALVE_SHARE = 0.2
 """Most of a crossover over the natural frequency of a valve, and over the control rate [Hz]."""
-CORNER_SHARE = 0.2
-"""Corner of the integral action over the crossover: it costs about 11 degrees of phase, and with the swing of
+CORNER_SHARE = 0.25
+"""Corner of the integral action over the crossover: it costs about 14 degrees of phase, and with the swing of
 the oil an axis goes less than a tenth beyond a step of its reference."""
 SAMPLES = 64
 WINDOW = pi / 360.0

@@ -8,10 +8,10 @@ from functools import lru_cache
 
 import numpy as np
 
-from ropsim.dynamics import axis_inertias, chain_of, rotor_inertias
+from ropsim.dynamics import axis_inertias, chain_of, elastic_axes, rotor_inertias
 from ropsim.kinematics import configurations
 from ropsim.model import ComputedTorqueGains, Mechanism, Rates, RobotModel, with_payload
-from ropsim.robots.loops.elastic_gears import elastic_axes, elastic_frequencies, elastic_words, span
+from ropsim.robots.loops.elastic_gears import elastic_frequencies, elastic_words, span
 from ropsim.spatial import Array, frozen
 
 ELECTRICAL_SHARE = 1.0 / 3.0
