@@ -15,7 +15,7 @@ from ropsim.controller import cascaded_p_pi
 from ropsim.core import SourceText
 from ropsim.flow import JointReference
 from ropsim.kinematics import forward_batch
-from ropsim.model import CascadedGains, Payload, Rates, RobotModel
+from ropsim.model import CascadedGains, HydraulicMotor, Payload, Rates, RobotModel
 from ropsim.robotfile import read_robot_file
 from ropsim.robots.standard_controller import cascaded_controller, standard_controller
 from ropsim.simulation import Servo
