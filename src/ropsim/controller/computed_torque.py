@@ -8,7 +8,8 @@ parameters, so that arms of one structure share the code.
 A motor behind an elastic gear of stiffness k runs ahead of its joint by the twist τ/k, so that its reference
 has the speed q̇_ref + M·q⃛_ref/k and the acceleration q̈_ref + M·q⃜_ref/k, M being the mass matrix of links and
 load (A. De Luca: Feedforward/feedback laws for the control of flexible robots, ICRA 2000, 233-240; what
-gravity and Coriolis forces change within the time of a swing is left out). Both are differences over a tick.
+gravity and Coriolis forces change within the time of a swing is left out). Both are differences over a tick,
+the speed smoothed a little.
 """
 
 from functools import lru_cache
@@ -43,12 +44,14 @@ _ROWS = (
 )
 """Rows of the parameters before the numbers of the arm, n in a row."""
 _KP, _KD, _KI, _PERIOD, _PER_EFFORT, _PER_SPEED, _LIMIT, _BAND, _SPAN, _SOFTNESS = range(len(_ROWS))
+_NEWER = 0.5
+"""Share of a twist speed that counts at its tick: a step of the jerk would ask for all torque there is."""
 _LOAD = 10
 _OPEN = 1e30
 """Stands for the limit of an amplifier without a limit [N·m | N]."""
 _STIFF = ("integral",)
 _SOFT = ("integral", "acceleration", "twist_speed")
-"""States of the law: with elastic gears also the reference acceleration and M·q⃛_ref/k of the tick before."""
+"""States of the law: with elastic gears also reference acceleration and twist speed of the tick before."""
 
 _COARSE = 2.0**19
 """Added and taken away it rounds the integral to 1e-10 rad/s²: digits that move no joint would last for ever,
@@ -145,7 +148,9 @@ def _torques(structure: ArmStructure, soft: tuple[bool, ...]) -> SourceFunction:
         jerk = [(qdd_ref[k] - one) * ticks[k] for k, one in enumerate(read("state", 1))]
         pull = trace_loaded_links(tracer, structure, arm, (q, jerk), load)
         softness, before = read("par", _SOFTNESS), read("state", 2)
-        twist = [softness[k] * pull[k] if soft[k] else zero for k in range(n)]
+        twist = [
+            before[k] + _NEWER * (softness[k] * pull[k] - before[k]) if soft[k] else zero for k in range(n)
+        ]
         motor_speed = [qd_ref[k] + twist[k] for k in range(n)]
         motor_extra = [(twist[k] - before[k]) * ticks[k] if soft[k] else zero for k in range(n)]
         kept = [*((f"state[{n + k}]", one) for k, one in enumerate(qdd_ref))]
