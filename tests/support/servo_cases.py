@@ -24,8 +24,9 @@ GOAL = np.array([0.3, -1.0, -0.1, -0.2, 0.7, 0.5])
 
 
 def puma() -> tuple[RobotModel, ControllerModel]:
-    """Return the PUMA with its own controller."""
-    return robots.load("puma560"), robots.default_controller("puma560")
+    """Return the PUMA under loops of fixed gains, joint by joint."""
+    robot = robots.load("puma560")
+    return robot, robots.cascaded_controller(robot, Rates())
 
 
 def quintic(start: Array, goal: Array, ticks: int, period: float = 1e-3) -> JointReference:

@@ -53,7 +53,7 @@ MEANINGS: Mapping[str, str] = {
     "plant_steps": "Integration steps of drives and arm in a control tick.",
     "kp": "Position gain, one for each joint.",
     "kv": "Speed gain, one for each joint.",
-    "ki": "Integral gain of the speed loop, one for each joint.",
+    "ki": "Integral gain of the speed loop, or rate under computed torque, one for each joint.",
     "kf": "Share of the reference speed that is fed forward, one for each joint.",
     "ke": "Voltage or torque fed forward for the reference speed, one for each joint.",
     "ka": "Voltage or torque fed forward for the reference acceleration, one for each joint.",

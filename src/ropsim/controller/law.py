@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from ropsim.codegen import SourceFunction
 from ropsim.core import frozen_dataclass
 from ropsim.model import InputKind, Payload
 from ropsim.spatial import Array, frozen, record
@@ -58,6 +59,7 @@ class CompiledLaw:
         parameter_names: names of the rows of `parameters`, with the symbols that `source` explains.
         parameters: shape (p, n).
         traits: declared properties.
+        functions: generated functions that `source` calls.
     """
 
     name: str
@@ -65,6 +67,7 @@ class CompiledLaw:
     parameter_names: tuple[str, ...]
     parameters: Array
     traits: LawTraits = field(default_factory=LawTraits)
+    functions: tuple[SourceFunction, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "parameters", frozen(self.parameters))

@@ -25,6 +25,8 @@ def rehearse(law: CompiledLaw, n: int) -> None:
     """
     scope: dict[str, Any] = {"math": math, "np": np}
     try:
+        for one in law.functions:
+            exec(one.text, scope)
         exec(compile(law.source, f"<law {law.name}>", "exec"), scope)  # its author runs this process
         function = scope["law"]
     except KeyError:

@@ -35,10 +35,14 @@ from ropsim.dynamics.drives import steady_drive as steady_drive
 from ropsim.dynamics.effort_limits import effort_limits as effort_limits
 from ropsim.dynamics.effort_rows import EffortRows as EffortRows
 from ropsim.dynamics.effort_rows import effort_rows as effort_rows
+from ropsim.dynamics.elastic_gears import elastic_axes as elastic_axes
+from ropsim.dynamics.elastic_gears import gear_stiffnesses as gear_stiffnesses
+from ropsim.dynamics.elastic_gears import with_rigid_gears as with_rigid_gears
 from ropsim.dynamics.gravity_loads import gravity_loads as gravity_loads
 from ropsim.dynamics.greatest_gravity import greatest_gravity_loads as greatest_gravity_loads
 from ropsim.dynamics.inertia import barycentric as barycentric
 from ropsim.dynamics.loaded_arm import trace_loaded_inverse as trace_loaded_inverse
+from ropsim.dynamics.loaded_arm import trace_loaded_links as trace_loaded_links
 from ropsim.dynamics.long_arms.long_arm import chain_acceleration_code as chain_acceleration_code
 from ropsim.dynamics.long_arms.long_arm import chain_numbers as chain_numbers
 from ropsim.dynamics.model_check import check_model as check_model

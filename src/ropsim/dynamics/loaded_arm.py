@@ -1,4 +1,4 @@
-"""The torques of an arm as a formula that is given the load of its interface while it runs."""
+"""The torques of an arm as formulas that are given the load of its interface while they run."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -10,14 +10,17 @@ from ropsim.dynamics.traced.newton_euler import trace_inverse
 from ropsim.dynamics.traced.traced_arm import TracedArm, trace_arm, traced_body
 from ropsim.dynamics.traced.traced_drives import joint_sides
 
+Axes = Sequence[Scalar]
+"""A number of each axis."""
+
 
 def trace_loaded_inverse(
     tracer: Tracer,
     structure: ArmStructure,
     numbers: TracedNumbers,
-    motion: tuple[Sequence[Scalar], Sequence[Scalar], Sequence[Scalar]],
+    motion: tuple[Axes, Axes, Axes],
     load: list[Scalar],
-    sliding: Sequence[Scalar],
+    motors: tuple[Axes, Axes],
 ) -> list[Scalar]:
     """Return the torques of the drives at the axes that a motion takes, with friction and motor inertia.
 
@@ -27,14 +30,38 @@ def trace_loaded_inverse(
         numbers: of the arm without payload.
         motion: coordinates, speeds and accelerations of the axes.
         load: barycentric parameters of tool and part in the interface frame, 10 of them, as laws get them.
-        sliding: speeds of the axes for which the friction of the drives is taken.
+        motors: speeds and accelerations at the axes for which friction and inertia of the drives are taken.
     """
     q, qd, qdd = motion
+    speeds, accelerations = motors
     arm = _loaded(trace_arm(tracer, structure, numbers, q), load)
     tau = trace_inverse(arm, list(qd), list(qdd))
-    for k, (friction, inertia) in enumerate(joint_sides(structure, numbers.drives, tracer, (q, sliding))):
-        tau[k] = tau[k] + qdd[k] * inertia + friction
+    for k, (friction, inertia) in enumerate(joint_sides(structure, numbers.drives, tracer, (q, speeds))):
+        tau[k] = tau[k] + accelerations[k] * inertia + friction
     return tau
+
+
+def trace_loaded_links(
+    tracer: Tracer,
+    structure: ArmStructure,
+    numbers: TracedNumbers,
+    motion: tuple[Axes, Axes],
+    load: list[Scalar],
+) -> list[Scalar]:
+    """Return the mass matrix of links, tool and part times accelerations, without drives and gravity.
+
+    Args:
+        tracer: the graph.
+        structure: of the arm.
+        numbers: of the arm without payload.
+        motion: coordinates and accelerations of the axes.
+        load: as in `trace_loaded_inverse`.
+    """
+    q, qdd = motion
+    zero = tracer.constant(0.0)
+    arm = _loaded(trace_arm(tracer, structure, numbers, q), load)
+    weightless = replace(arm, base_acceleration=(zero, zero, zero))
+    return trace_inverse(weightless, [zero] * structure.n, list(qdd))
 
 
 def _loaded(arm: TracedArm, load: list[Scalar]) -> TracedArm:

@@ -194,6 +194,8 @@ from ropsim.model.robots.payload import box as box
 from ropsim.model.robots.payload import combine as combine
 from ropsim.model.robots.payload import moved as moved
 from ropsim.model.robots.published_path_limits import PublishedPathLimits as PublishedPathLimits
+from ropsim.model.robots.rated_load import cube_of_water as cube_of_water
+from ropsim.model.robots.rated_load import with_payload as with_payload
 from ropsim.model.robots.robot import RobotModel as RobotModel
 from ropsim.model.robots.robot import is_bare as is_bare
 from ropsim.model.robots.robot import with_axis_limits as with_axis_limits

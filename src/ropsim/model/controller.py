@@ -131,24 +131,28 @@ class CascadedGains:
 class ComputedTorqueGains:
     """Gains of the computed-torque joint controller, each of shape (n,).
 
-    u = D(q, qd, qdd_ref + kd·(qd_ref - qd) + kp·(q_ref - q)), the torque or force that the model of the arm
-    with its drives, its tool and the grasped part needs for that acceleration; friction is taken at the speed
-    of the reference. As far as the model is true the error of each axis obeys ë + kd·ė + kp·e = 0,
-    independent of the others (Luh, Walker & Paul 1980).
+    With c = kd·(qd_ref - qd) + kp·(q_ref - q) it gives D(q, qd, qdd_ref + c + ki·∫c dt), the torque or force
+    that the model of the arm with its drives, its tool and the grasped part needs for that acceleration;
+    friction is taken at the speed of the reference. A DC motor gets the voltage for it, with the back-EMF at
+    that speed, which is clipped to that of the amplifier; the integral stands still meanwhile. As far as the
+    model is true the error of each axis obeys ë + kd·ė + kp·e = 0 with ki = 0, independent of the others
+    (Luh, Walker & Paul 1980).
 
     Attributes:
         kp: [1/s²].
         kd: [1/s].
+        ki: corner of the integral action, 0 for none [1/s].
     """
 
-    RANGES: ClassVar[Ranges] = {"kp": COORDINATE, "kd": COORDINATE}
+    RANGES: ClassVar[Ranges] = {"kp": COORDINATE, "kd": COORDINATE, "ki": COORDINATE}
 
     kp: Array
     kd: Array
+    ki: Array
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "kp", frozen(self.kp))
-        object.__setattr__(self, "kd", frozen(self.kd))
+        for name in ("kp", "kd", "ki"):
+            object.__setattr__(self, name, frozen(getattr(self, name)))
 
 
 @frozen_dataclass

@@ -13,7 +13,6 @@ from ropsim.robotfile.estimation.link_masses import link_masses_of_moving as lin
 from ropsim.robotfile.estimation.link_masses import total_mass as total_mass
 from ropsim.robotfile.estimation.loads import axis_loads as axis_loads
 from ropsim.robotfile.estimation.loads import gravity_torques as gravity_torques
-from ropsim.robotfile.estimation.loads import with_payload as with_payload
 from ropsim.robotfile.estimation.recognition import arm_class_of as arm_class_of
 from ropsim.robotfile.estimation.rotors import rotors_at_joints as rotors_at_joints
 from ropsim.robotfile.estimation.torque_limits import are_stand_ins as are_stand_ins

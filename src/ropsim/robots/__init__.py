@@ -24,7 +24,10 @@ from ropsim.robots.library import STANDARD_RATES as STANDARD_RATES
 from ropsim.robots.library import default_controller as default_controller
 from ropsim.robots.library import load as load
 from ropsim.robots.library import names as names
-from ropsim.robots.standard_controller import LoopBandwidths as LoopBandwidths
-from ropsim.robots.standard_controller import standard_bandwidths as standard_bandwidths
-from ropsim.robots.standard_controller import standard_gains as standard_gains
+from ropsim.robots.loops.cascaded_loops import LoopBandwidths as LoopBandwidths
+from ropsim.robots.loops.cascaded_loops import standard_bandwidths as standard_bandwidths
+from ropsim.robots.loops.cascaded_loops import standard_gains as standard_gains
+from ropsim.robots.loops.torque_loops import standard_torque_gains as standard_torque_gains
+from ropsim.robots.standard_controller import acts_directly as acts_directly
+from ropsim.robots.standard_controller import cascaded_controller as cascaded_controller
 from ropsim.robots.standard_controller import swings as swings

@@ -1,25 +1,21 @@
 """The standard controller of an arm: its law and gains follow from its model by stated bandwidths.
 
-An arm with geared motors gets cascaded loops, joint by joint. Where motors act on the joints directly,
-without an inertia of their own, the links push each other as hard as the motors do, and loops of single
-joints have to be slow; this arm gets the computed-torque law. An arm without drives follows its reference
-exactly. Elastic gears keep the speed loops of their axes below the frequency at which the arm swings on them.
+An arm with electric motors gets computed torque: the law knows masses, tool and part, so that its loops are
+the same in every posture and with every load. Hydraulic axes and cylinders, whose force has another lever at
+each place, get loops of their own, joint by joint, and so do long chains. An arm without drives follows its
+reference exactly.
 """
-
-from functools import lru_cache
 
 import numpy as np
 
-from ropsim.dynamics import axis_inertias, chain_of, free_inertias, rotor_inertias, steady_drive
-from ropsim.kinematics import configurations
+from ropsim.dynamics import chain_of, check_model, elastic_axes, structure_of
 from ropsim.model import (
-    CascadedGains,
-    ComputedTorqueGains,
     ControllerKind,
     ControllerModel,
     Drive,
     Gains,
     InputKind,
+    Linkage,
     Mechanism,
     NoGains,
     OriginKind,
@@ -27,15 +23,8 @@ from ropsim.model import (
     Rates,
 )
 from ropsim.robots.default_path_limits import default_path_limits
-from ropsim.robots.diagnostics import NoControllerError
-from ropsim.robots.elastic_gears import (
-    ELASTIC_SHARE,
-    SOFTER,
-    elastic_axes,
-    elastic_frequencies,
-    gear_stiffnesses,
-)
-from ropsim.robots.hydraulic_loops import (
+from ropsim.robots.loops.cascaded_loops import cascade_statement, standard_gains
+from ropsim.robots.loops.hydraulic_loops import (
     LONGEST_SETTLING,
     WINDOW,
     hydraulic_axes,
@@ -43,27 +32,7 @@ from ropsim.robots.hydraulic_loops import (
     hydraulic_statement,
     with_hydraulic_axes,
 )
-from ropsim.spatial import Array, frozen, record
-
-ELECTRICAL_SHARE = 1.0 / 3.0
-"""Crossover of the speed loop over the electrical pole R/L: the current then lags by about 18 degrees."""
-
-CONTROL_SHARE = 1.0 / 5.0
-"""Crossover of the speed loop [rad/s] over the control rate [Hz]: the held output costs about 6 degrees."""
-
-COUPLED_SHARE = 1.0 / 3.0
-"""The same with the other joints free: their couplings make an axis lighter, which quickens its loop."""
-
-POSITION_SHARE = 0.3
-"""Bandwidth of the position loop over that of the speed loop: no overshoot of the cascade."""
-
-INTEGRAL_SHARE = 0.4
-"""Corner of the integral action over the crossover of the speed loop: it costs about 22 degrees, and the
-Coulomb friction that vanishes at a stop is made up for within the last milliseconds of the move."""
-
-TORQUE_SHARE = 0.06
-"""Rate at which errors die out under computed torque [rad/s] over the control rate [Hz]: the held output
-costs about 7 degrees where its speed loop, twice as fast, crosses over."""
+from ropsim.robots.loops.torque_loops import standard_torque_gains, torque_statement
 
 IN_POSITION = 0.2e-3
 """Window of a fine stop [rad | m]."""
@@ -71,109 +40,59 @@ IN_POSITION = 0.2e-3
 SETTLE_TIMEOUT = 1.0
 """Longest wait for a fine stop [s]."""
 
-SAMPLES = 512
-"""Configurations at which the inertias of the axes are evaluated."""
-
-
-@record
-class LoopBandwidths:
-    """Bandwidths of the loops of a cascade, one number per joint.
-
-    Attributes:
-        speed: crossover of the speed loop at the inertia for which it is designed [rad/s], shape (n,).
-        position: bandwidth of the position loop [rad/s], shape (n,).
-        integral: corner of the integral action of the speed loop [rad/s], shape (n,).
-    """
-
-    speed: Array
-    position: Array
-    integral: Array
-
-
-def standard_bandwidths(robot: Mechanism, rates: Rates) -> LoopBandwidths:
-    """Return the bandwidths that motors, control rate and couplings of an arm allow.
-
-    Raises:
-        NoControllerError: X861, the arm has no drives.
-    """
-    if not robot.drives:
-        raise NoControllerError(robot.name)
-    is_elastic = elastic_axes(robot)
-    poles = np.array([chain_of(drive).motor.pole(drive.motor) for drive in robot.drives])
-    design, free, swing = _inertias(robot)
-    coupled = COUPLED_SHARE * rates.control_hz * free / design
-    lag = np.where(
-        is_elastic, free / design, 1.0
-    )  # beyond its oscillation frequency the motor turns separately, with less inertia
-    speed = np.minimum(np.minimum(ELECTRICAL_SHARE * poles * lag, CONTROL_SHARE * rates.control_hz), coupled)
-    softer = np.sqrt(SOFTER * gear_stiffnesses(robot) / (POSITION_SHARE * design))  # kv·kp = 0.3·ω_s²·M
-    speed = np.minimum(speed, np.minimum(ELASTIC_SHARE * swing, softer))  # both are inf for rigid gears
-    return LoopBandwidths(frozen(speed), frozen(POSITION_SHARE * speed), frozen(INTEGRAL_SHARE * speed))
-
-
-def standard_gains(robot: Mechanism, rates: Rates) -> CascadedGains:
-    """Return gains with the standard bandwidths for an arm with drives.
-
-    Below its electrical pole, the drive of a joint with inertia M takes u = ka·q̈ + ke·q̇; for a DC motor ka
-    = R·M/(Kt·|G|) and ke = Ke·|G| + R·B·|G|/Kt, for an ideal one ka = M/|G| and ke = B·|G|. The speed gain
-    sets the crossover ω_s, kv = ω_s·ka; the feed-forward gains are the two coefficients, so that the loops
-    have to correct only deviations from the nominal drive: gravity, Coulomb friction, coupling of the joints.
-    M is the geometric mean of the least and the greatest inertia of the axis over the range of the joints.
-    Cascades with feed-forward of the reference: W. Leonhard, Control of Electrical Drives, 3rd ed., Springer
-    2001.
-
-    Raises:
-        NoControllerError: X861, the arm has no drives.
-    """
-    bandwidths = standard_bandwidths(robot, rates)
-    inertia, _, _ = _inertias(robot)
-    pairs = list(zip(robot.drives, robot.home.tolist(), strict=True))
-    per_effort = np.array([steady_drive(drive, q, 0.0, 1.0).command for drive, q in pairs])
-    viscous = [drive.ratio_at(q) ** 2 * drive.friction.viscous for drive, q in pairs]
-    rows = zip(pairs, viscous, strict=True)
-    per_speed = np.array([steady_drive(drive, q, 1.0, effort).command for (drive, q), effort in rows])
-    per_acceleration = inertia * per_effort
-    kv = bandwidths.speed * per_acceleration
-    return CascadedGains(
-        kp=bandwidths.position,
-        kv=kv,
-        ki=bandwidths.integral * kv,
-        kf=np.ones(robot.n),
-        ke=per_speed,
-        ka=per_acceleration,
-    )
-
-
-@lru_cache(maxsize=16)
-def _inertias(robot: Mechanism) -> tuple[Array, Array, Array]:
-    """Return for which inertia each axis is designed, the least that it has, and how fast the arm swings.
-
-    The least one is that while the other axes are free, behind an elastic gear that of the rotor alone; the
-    arm swings on elastic gears with motors held, `elastic_frequencies` [rad/s].
-    """
-    Q = configurations(robot, SAMPLES)
-    inertias = axis_inertias(robot, Q)
-    free = np.where(elastic_axes(robot), rotor_inertias(robot, Q)[0], free_inertias(robot, Q).min(axis=0))
-    design = np.sqrt(inertias.min(axis=0) * inertias.max(axis=0))
-    return design, free, elastic_frequencies(robot, Q)
-
-
-def standard_torque_gains(robot: Mechanism, rates: Rates) -> ComputedTorqueGains:
-    """Return gains that let the error of every axis die out as fast as the control rate allows.
-
-    ë + 2ω·ė + ω²·e = 0 with ω = `TORQUE_SHARE` times the control rate: critically damped.
-    """
-    rate = np.full(robot.n, TORQUE_SHARE * rates.control_hz)
-    return ComputedTorqueGains(kp=rate**2, kd=2.0 * rate)
-
 
 def standard_controller(robot: Mechanism, rates: Rates) -> ControllerModel:
     """Return the standard controller of an arm: the ideal one where it has no drives.
 
     Its limits of tool paths are those of `default_path_limits`. They follow from the model: joint limits of a
     cell file do not change them, so that a calibrated cell keeps its path limits.
+
+    Raises:
+        JointCountError: links or drives are missing.
+        MechanismError: the mechanism cannot be.
     """
-    kind, gains, origins = _law(robot, rates)
+    if not robot.drives:
+        return _controller(robot, rates, ControllerKind.IDEAL, NoGains(), ())
+    check_model(robot)
+    if not _is_modelled(robot):
+        return cascaded_controller(robot, rates)
+    gains, origin = standard_torque_gains(robot, rates), _origin(torque_statement(robot, rates))
+    return _controller(robot, rates, ControllerKind.COMPUTED_TORQUE, gains, (origin,))
+
+
+def cascaded_controller(robot: Mechanism, rates: Rates) -> ControllerModel:
+    """Return the controller of an arm with drives by loops of fixed gains, which people may state.
+
+    Raises:
+        NoControllerError: X861, the arm has no drives.
+    """
+    gains, hydraulic = standard_gains(robot, rates), len(hydraulic_axes(robot))
+    statements = [] if hydraulic == robot.n else [cascade_statement(robot, rates)]
+    if hydraulic:
+        crossover = hydraulic_crossover(robot, rates)
+        gains = with_hydraulic_axes(gains, robot, crossover)
+        statements.append(hydraulic_statement(crossover))
+    origin = _origin("; ".join(statements))
+    return _controller(robot, rates, ControllerKind.CASCADED_P_PI, gains, (origin,))
+
+
+def swings(robot: Mechanism) -> bool:
+    """Return whether an arm swings on elastic gears or on its oil: at full speed joints overshoot it then."""
+    return bool(robot.drives) and bool(elastic_axes(robot).any() or hydraulic_axes(robot))
+
+
+def acts_directly(robot: Mechanism) -> bool:
+    """Return whether all drives of an arm pass an effort on to its joints at once, and add no inertia."""
+    return bool(robot.drives) and all(map(_is_direct, robot.drives))
+
+
+def _controller(
+    robot: Mechanism,
+    rates: Rates,
+    kind: ControllerKind,
+    gains: Gains,
+    origins: tuple[ParameterOrigin, ...],
+) -> ControllerModel:
     windows, hydraulic = np.full(robot.n, IN_POSITION), hydraulic_axes(robot)
     windows[hydraulic] = WINDOW
     path, path_origins = default_path_limits(robot)
@@ -188,61 +107,20 @@ def standard_controller(robot: Mechanism, rates: Rates) -> ControllerModel:
     )
 
 
-def swings(robot: Mechanism) -> bool:
-    """Return whether an arm swings on elastic gears or on its oil: at full speed joints overshoot it then."""
-    return bool(robot.drives) and bool(elastic_axes(robot).any() or hydraulic_axes(robot))
+def _is_modelled(robot: Mechanism) -> bool:
+    """Return whether torques of the model can be commanded: to electric motors, of a chain that is not long.
+
+    Straight-line code of a long chain takes long to compile.
+    """
+    levers = any(isinstance(drive.transmission, Linkage) for drive in robot.drives)
+    return not (levers or hydraulic_axes(robot) or structure_of(robot).is_long)
 
 
-def _law(robot: Mechanism, rates: Rates) -> tuple[ControllerKind, Gains, tuple[ParameterOrigin, ...]]:
-    """Return the law that an arm gets, with its gains and where these come from."""
-    if not robot.drives:
-        return ControllerKind.IDEAL, NoGains(), ()
-    if all(map(_is_direct, robot.drives)):
-        origin = ParameterOrigin("controller gains", OriginKind.DERIVED, _torque_statement(rates))
-        return ControllerKind.COMPUTED_TORQUE, standard_torque_gains(robot, rates), (origin,)
-    gains, hydraulic = standard_gains(robot, rates), len(hydraulic_axes(robot))
-    statements = [] if hydraulic == robot.n else [_statement(robot, rates)]
-    if hydraulic:
-        crossover = hydraulic_crossover(robot, rates)
-        gains = with_hydraulic_axes(gains, robot, crossover)
-        statements.append(hydraulic_statement(crossover))
-    origin = ParameterOrigin("controller gains", OriginKind.DERIVED, "; ".join(statements))
-    return ControllerKind.CASCADED_P_PI, gains, (origin,)
+def _origin(statement: str) -> ParameterOrigin:
+    return ParameterOrigin("controller gains", OriginKind.DERIVED, statement)
 
 
 def _is_direct(drive: Drive) -> bool:
-    """Return whether a drive passes a commanded effort on to its joint at once, and adds no inertia."""
     chain = chain_of(drive)
     takes_effort = chain.amplifier.kind is InputKind.EFFORT and not chain.states
     return takes_effort and drive.motor.rotor_inertia == 0.0
-
-
-def _torque_statement(rates: Rates) -> str:
-    return (
-        "computed torque with the masses of the model: errors die out at "
-        f"{TORQUE_SHARE * rates.control_hz:.3g} rad/s, critically damped; tool and part are known"
-    )
-
-
-def _statement(robot: Mechanism, rates: Rates) -> str:
-    bandwidths = standard_bandwidths(robot, rates)
-    speed, position, integral = (
-        _range(values) for values in (bandwidths.speed, bandwidths.position, bandwidths.integral)
-    )
-    swings = _inertias(robot)[2]
-    elastic = (
-        f"; axes with elastic gears swing at {_range(swings[np.isfinite(swings)])} rad/s while motors are "
-        f"held, their speeds are measured at the motors, in loops of at most {ELASTIC_SHARE:g} of that"
-        if np.isfinite(swings).any()
-        else ""
-    )
-    return (
-        f"from masses, gears and motors of the model: speed loops {speed} rad/s, "
-        f"position loops {position} rad/s, integral action {integral} rad/s; speed and acceleration "
-        f"fed forward{elastic}"
-    )
-
-
-def _range(values: Array) -> str:
-    low, high = f"{values.min():.3g}", f"{values.max():.3g}"
-    return low if low == high else f"{low} to {high}"

@@ -61,6 +61,7 @@ from ropsim.simulation.servo.kept_drives import KeptDrives as KeptDrives
 from ropsim.simulation.servo.kept_drives import driven_anew as driven_anew
 from ropsim.simulation.servo.log import LogLayout as LogLayout
 from ropsim.simulation.servo.plant_code import plant_code as plant_code
+from ropsim.simulation.servo.state import StateLayout as StateLayout
 from ropsim.simulation.servo.tick_recorder import TickRecorder as TickRecorder
 from ropsim.simulation.state.cell_run import CellRun as CellRun
 from ropsim.simulation.state.clasp import Clasp as Clasp

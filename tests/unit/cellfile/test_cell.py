@@ -5,9 +5,10 @@ import math
 import numpy as np
 import pytest
 
+from ropsim import robots
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
-from ropsim.model import Cell, CorrectionLimits
+from ropsim.model import Cell, CorrectionLimits, Rates
 from support.gains import cascaded
 
 POSE_TOLERANCE = 1e-12  # [m], a few roundings of coordinates below 1 m
@@ -174,7 +175,8 @@ def test_the_controller_can_be_changed_value_by_value() -> None:
         'ptp = "time"\ncorrection_size = 5\ncorrection_speed = 40\ncorrection_acceleration = 300\n'
     )
     cell = cell_of(text)
-    controller, own = cell.first.controller, cell_of("").first.controller
+    controller = cell.first.controller
+    own = robots.cascaded_controller(cell.first.robot, Rates())
     assert controller.speed_override == 0.5
     assert cell.first.start[1] == pytest.approx(math.pi / 2)
     assert controller.rates.control_hz == 500

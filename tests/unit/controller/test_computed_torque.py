@@ -9,13 +9,12 @@ import pytest
 
 from ropsim import robots
 from ropsim.codegen import Engine
-from ropsim.controller import GainError, LawError, law_of
-from ropsim.dynamics import inverse_dynamics
+from ropsim.controller import GainError, law_of
+from ropsim.dynamics import inverse_dynamics, with_rigid_gears
 from ropsim.model import (
     ComputedTorqueGains,
     ControllerKind,
     ControllerModel,
-    EffortAmplifier,
     Friction,
     Gear,
     IdealMotor,
@@ -27,6 +26,7 @@ from ropsim.model import (
 from ropsim.simulation import Servo
 from ropsim.spatial import Array
 from support.arms import random_arm
+from support.dc_drives import dc_motor
 from support.servo_cases import quintic, standing
 
 FAST = Rates(control_hz=10_000, interpolation_ticks=4, plant_steps=1)
@@ -37,7 +37,7 @@ LOAD = Payload(1.5, np.array([0.05, -0.1, 0.2]), np.diag([0.02, 0.03, 0.01]))
 def torque_controller(robot: RobotModel, rates: Rates = FAST) -> ControllerModel:
     rate = np.full(robot.n, OMEGA)
     standard = robots.default_controller("two_link")
-    gains = ComputedTorqueGains(rate**2, 2.0 * rate)
+    gains = ComputedTorqueGains(rate**2, 2.0 * rate, np.zeros(robot.n))
     return replace(standard, rates=rates, gains=gains, in_position=np.full(robot.n, 1e-3))
 
 
@@ -47,10 +47,11 @@ def output(robot: RobotModel, ref: Array, meas: Array, load: Payload) -> Array:
 
     law = law_of(torque_controller(robot), robot)
     scope: dict[str, Any] = {"math": math}
-    exec(law.source, scope)
+    for one in (*(function.text for function in law.functions), law.source):
+        exec(one, scope)
     out = np.zeros(robot.n)
     numbers = barycentric(load.mass, load.com, load.inertia)
-    scope["law"](law.parameters, np.zeros((0, robot.n)), ref, meas, numbers, np.zeros(0), out)
+    scope["law"](law.parameters, np.zeros((1, robot.n)), ref, meas, numbers, np.zeros(0), out)
     return out
 
 
@@ -120,17 +121,79 @@ def test_an_arm_that_is_its_model_stays_with_its_reference() -> None:
 
 
 def test_gains_of_another_law_are_refused() -> None:
-    robot, puma = robots.load("two_link"), robots.default_controller("puma560")
-    wrong = replace(puma, kind=ControllerKind.COMPUTED_TORQUE)
+    robot = robots.load("two_link")
+    wrong = replace(robots.cascaded_controller(robot, Rates()), kind=ControllerKind.COMPUTED_TORQUE)
     with pytest.raises(GainError, match="C604"):
         law_of(wrong, robot)
-    short = replace(torque_controller(robot), gains=ComputedTorqueGains(np.ones(3), np.ones(3)))
+    short = replace(torque_controller(robot), gains=ComputedTorqueGains(*(np.ones(3),) * 3))
     with pytest.raises(GainError, match="C600"):
         law_of(short, robot)
 
 
-def test_motors_that_take_voltages_are_refused() -> None:
+def test_motors_that_take_voltages_get_those_of_torque_and_speed() -> None:
+    """U = R·τ/(Kt·|G|) + Ke·|G|·q̇_ref for DC motors."""
     robot = robots.load("puma560")
-    with pytest.raises(LawError, match="C602"):
-        Servo.build(robot, torque_controller(robot), None, Engine.PYTHON)
-    assert isinstance(robots.load("scara").drives[0].amplifier, EffortAmplifier)
+    ref, meas = np.random.default_rng(5).uniform(-0.1, 0.1, (2, 3, 6))
+    meas[1] = ref[1]
+    tau = inverse_dynamics(robot, meas[0], meas[1], ref[2] + OMEGA**2 * (ref[0] - meas[0]), payload=LOAD)
+    motors, ratios = [dc_motor(one) for one in robot.drives], [one.ratio_at(0.0) for one in robot.drives]
+    expected = [
+        motor.resistance * effort / (motor.torque_constant * abs(ratio))
+        + motor.back_emf_constant * abs(ratio) * speed
+        for motor, ratio, effort, speed in zip(motors, ratios, tau, ref[1], strict=True)
+    ]
+    np.testing.assert_allclose(output(robot, ref, meas, LOAD), expected, rtol=1e-9)
+
+
+def test_the_integral_takes_away_what_the_model_does_not_know() -> None:
+    """A load that the law is not told of: a moment later the arm stands where it should all the same."""
+    robot, controller = robots.load("two_link"), robots.default_controller("two_link")
+    servo = Servo.build(robot, controller, None, Engine.PYTHON)
+    lighter = replace(robot, links=tuple(replace(link, mass=0.8 * link.mass) for link in robot.links))
+    misled = Servo.build(robot, controller, law_of(controller, lighter), Engine.PYTHON)
+    q = np.array([0.3, 0.4])
+    errors = []
+    for one in (servo, misled):
+        start = one.initial_state(q)
+        recorder = one.recorder(start)
+        after = one.run(start, standing(q, 600), Payload(), recorder)
+        errors.append((np.abs(recorder.channels()["q"] - q).max(), np.abs(after.q - q).max()))
+    assert errors[0][0] < 1e-9
+    assert errors[1][0] > 1e-4 > 100.0 * errors[1][1]
+
+
+def test_the_integral_stands_still_while_the_amplifier_is_at_its_limit() -> None:
+    robot = random_arm(2, "RR", (ideal_drive(3.0), ideal_drive(1e4)))
+    model = torque_controller(robot)
+    rate = np.full(2, OMEGA)
+    law = law_of(replace(model, gains=ComputedTorqueGains(rate**2, 2.0 * rate, np.ones(2))), robot)
+    scope: dict[str, Any] = {"math": math}
+    for one in (*(function.text for function in law.functions), law.source):
+        exec(one, scope)
+    ref, state, out = np.zeros((3, 2)), np.zeros((1, 2)), np.zeros(2)
+    ref[0] = 0.5
+    scope["law"](law.parameters, state, ref, np.zeros((3, 2)), np.zeros(10), np.zeros(0), out)
+    assert out[0] == 3.0
+    assert state[0, 0] == 0.0
+    assert state[0, 1] == pytest.approx(OMEGA**2 * 0.5 / FAST.control_hz, abs=1e-9)
+
+
+def test_a_motor_behind_a_spring_runs_ahead_by_the_twist() -> None:
+    """M·q⃛/k more speed than its joint, so that an arm on springs stays with a smooth reference."""
+    robot = robots.load("manutec_r3")
+    controller = robots.default_controller(robot)
+    law = law_of(controller, robot)
+    assert law.traits.state_names == ("integral", "acceleration", "twist_speed")
+    servo = Servo.build(robot, controller, law)
+    end = robot.home + np.array([0.5, -0.3, -0.4, 0.3, 0.3, 0.3])
+    reference = quintic(robot.home, end, 1000)
+    off = {}
+    for stiff in (False, True):
+        aware = law if not stiff else law_of(controller, with_rigid_gears(robot))
+        one = Servo.build(robot, controller, aware) if stiff else servo
+        start = one.initial_state(robot.home)
+        recorder = one.recorder(start)
+        one.run(start, reference, Payload(), recorder)
+        errors = recorder.channels()["q_ref"] - recorder.channels()["q"]
+        off[stiff] = np.abs(errors[-1]).max()
+    assert off[False] < 0.2 * off[True]

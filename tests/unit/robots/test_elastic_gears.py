@@ -9,8 +9,17 @@ from scipy.linalg import eigh
 from ropsim import robots
 from ropsim.dynamics import gravity, mass_matrices, reflected_inertia
 from ropsim.kinematics import configurations
-from ropsim.model import CascadedGains, ElasticGear, Friction, Payload, Rates, RobotModel
-from ropsim.robots.elastic_gears import ELASTIC_SHARE, elastic_frequencies
+from ropsim.model import (
+    CascadedGains,
+    ComputedTorqueGains,
+    ElasticGear,
+    Friction,
+    Payload,
+    Rates,
+    RobotModel,
+    with_payload,
+)
+from ropsim.robots.loops.elastic_gears import ELASTIC_SHARE, elastic_frequencies
 from ropsim.simulation import Servo
 from ropsim.spatial import Array
 from support.servo_cases import quintic, standing
@@ -88,8 +97,16 @@ def test_speed_loops_stay_below_a_share_of_that_and_the_origin_says_so() -> None
     speed = robots.standard_bandwidths(R3, Rates()).speed
     assert (speed[:3] <= ELASTIC_SHARE * swings[:3] + 1e-9).all()
     assert np.isinf(swings[3:]).all()
-    origin, _ = robots.default_controller("manutec_r3").origins
+    origin, _ = robots.cascaded_controller(R3, Rates()).origins
     assert f"swing at {swings[:3].min():.3g} to {swings[:3].max():.3g} rad/s" in origin.source
+
+
+def test_computed_torque_counts_the_rated_load_in_what_swings() -> None:
+    swings = elastic_frequencies(with_payload(R3, R3.rated_payload), configurations(R3, 512))
+    controller = robots.default_controller(R3)
+    assert isinstance(controller.gains, ComputedTorqueGains)
+    np.testing.assert_allclose(controller.gains.kd[:3], ELASTIC_SHARE * swings[:3])
+    assert f"swing at {swings[:3].min():.3g} to" in controller.origins[0].source
 
 
 def settled(robot: RobotModel, load: Payload) -> bool:

@@ -1,10 +1,11 @@
+from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
 
 from ropsim import robots
 from ropsim.core import RopsimError
-from ropsim.model import GAIN_NAMES, ControllerKind, audit, gain_names
+from ropsim.model import ControllerKind, ControllerModel, Rates, RobotModel, audit, gain_names
 from support.built_in import WRITTEN
 from support.dc_drives import dc_motor
 from support.gains import cascaded
@@ -37,9 +38,12 @@ def test_an_unknown_name_is_answered_with_a_near_one() -> None:
     assert "`two_link`" in caught.value.diagnostic.message
 
 
-def test_the_controller_of_the_puma_has_gains_for_six_joints() -> None:
-    controller = robots.default_controller("puma560")
-    for name in GAIN_NAMES:
+@pytest.mark.parametrize("make", [robots.default_controller, robots.cascaded_controller])
+def test_the_controllers_of_the_puma_have_gains_for_six_joints(
+    make: Callable[[RobotModel, Rates], ControllerModel],
+) -> None:
+    controller = make(robots.load("puma560"), Rates())
+    for name in gain_names(controller.gains):
         gains = getattr(controller.gains, name)
         assert gains.shape == (6,)
         assert (gains > 0.0).all()
@@ -50,7 +54,8 @@ def test_the_controller_of_a_changed_model_follows_the_model() -> None:
     robot = robots.load("puma560")
     motors = [replace(dc_motor(one), resistance=0.5 * dc_motor(one).resistance) for one in robot.drives]
     drives = tuple(replace(one, motor=motor) for one, motor in zip(robot.drives, motors, strict=True))
-    own, changed = robots.default_controller(robot), robots.default_controller(replace(robot, drives=drives))
+    changed_robot = replace(robot, drives=drives)
+    own, changed = (robots.cascaded_controller(one, Rates()) for one in (robot, changed_robot))
     assert (cascaded(changed).kv < cascaded(own).kv).all()
     assert (cascaded(changed).ka == 0.5 * cascaded(own).ka).all()
 

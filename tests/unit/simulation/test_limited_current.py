@@ -8,7 +8,7 @@ import pytest
 import ropsim
 from ropsim import robots
 from ropsim.flow import Recording
-from ropsim.model import CurrentLimitedAmplifier, RobotModel, Tool, VoltageAmplifier
+from ropsim.model import CurrentLimitedAmplifier, Rates, RobotModel, Tool, VoltageAmplifier
 from ropsim.simulation import RunOptions, run
 from ropsim.workbench import environment_of
 from support.cells import one_station
@@ -32,7 +32,7 @@ def _ran(kind: type[VoltageAmplifier] | type[CurrentLimitedAmplifier]) -> Record
     friction = replace(PUMA.drives[1].friction, coulomb_positive=COULOMB, coulomb_negative=-COULOMB)
     limited = replace(PUMA.drives[1], amplifier=kind(40.0, AMPERES), friction=friction)
     robot: RobotModel = replace(PUMA, drives=(PUMA.drives[0], limited, *PUMA.drives[2:]))
-    model = robots.default_controller("puma560")
+    model = robots.cascaded_controller(PUMA, Rates())
     cell = one_station("c", robot, model, tools={"": Tool("")}, start=robot.home)
     compiled = ropsim.language.compile(TEXT, environment_of(cell))
     assert compiled.icr is not None

@@ -10,7 +10,7 @@ import pytest
 import ropsim
 from ropsim import robots
 from ropsim.flow import MoveEvent, Recording
-from ropsim.model import Tool
+from ropsim.model import Rates, Tool
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Array
 from ropsim.views import Style, Verdict, summarize, terminal_report, verdict
@@ -20,7 +20,7 @@ from support.cells import one_station
 from support.gains import cascaded
 
 ROBOT = robots.load("puma560")
-TUNED = robots.default_controller("puma560")
+TUNED = robots.cascaded_controller(ROBOT, Rates())
 TARGET = math.radians(40.0)
 MOVE = "mov joints(40, -40, -140, 0, -20, 0) speed 60 %"
 """Only joint 1 moves."""

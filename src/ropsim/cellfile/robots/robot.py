@@ -10,6 +10,8 @@ from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.robots.external_axes import ExternalAxes, read_external_axes
 from ropsim.core import RopsimError
 from ropsim.model import (
+    GAIN_NAMES,
+    ControllerKind,
     ControllerModel,
     CorrectionLimits,
     JointType,
@@ -198,6 +200,7 @@ def _controller(
     table: TomlTable, controller: ControllerModel, model: RobotModel, units: Units
 ) -> ControllerModel:
     windows = [quantity.within(_NARROWEST, _WIDEST) for quantity in _coordinates(model, units)]
+    controller = _with_stated_law(table, controller, model)
     names = gain_names(controller.gains)
     given = [name for name in names if name in table]
     gains = {
@@ -230,6 +233,18 @@ def _controller(
             for origin in controller.origins
         ),
     )
+
+
+def _with_stated_law(table: TomlTable, controller: ControllerModel, model: RobotModel) -> ControllerModel:
+    """Return the standard controller under the law that the stated gains belong to.
+
+    Gains of an arm with geared motors are those of loops joint by joint, unless `kd` is among them, which
+    computed torque alone has.
+    """
+    loops = controller.kind is ControllerKind.COMPUTED_TORQUE and not robots.acts_directly(model)
+    if not loops or "kd" in table or not any(name in table for name in GAIN_NAMES):
+        return controller
+    return robots.cascaded_controller(model, controller.rates)
 
 
 def _limited(table: TomlTable, model: RobotModel, units: Units) -> RobotModel:

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from functools import lru_cache
 
 from ropsim.core import Diagnostic
-from ropsim.dynamics import effort_limits, effort_rows
+from ropsim.dynamics import effort_limits, effort_rows, with_rigid_gears
 from ropsim.model import Joint, JointType, Payload, RobotModel
 from ropsim.motion import (
     BEYOND_LIMITS,
@@ -57,7 +57,8 @@ def arm_bounds(robot: RobotModel, payload: Payload) -> ArmBounds:
     limits = robot.max_speeds, robot.max_accelerations, robot.max_jerks
     if len(robot.drives) != robot.n:
         return ArmBounds(JointBounds(*limits), None)
-    return ArmBounds(JointBounds(*limits, effort_limits(robot)), effort_rows(robot, payload))
+    moved = with_rigid_gears(robot)  # motors behind springs have to move their rotors, too
+    return ArmBounds(JointBounds(*limits, effort_limits(moved)), effort_rows(moved, payload))
 
 
 def slowed_findings(

@@ -1,17 +1,14 @@
 """Loads of the axes by gravity and inertia, over many postures of an arm that carries its rated payload."""
 
 from dataclasses import replace
-from math import isfinite
 
 import numpy as np
 
 from ropsim.dynamics import axis_inertias, greatest_gravity_loads
 from ropsim.kinematics import configurations, frames_batch
-from ropsim.model import Payload, RobotModel, box, combine, moved
+from ropsim.model import RobotModel, with_payload
 from ropsim.spatial import Array, record
 
-WATER = 1000.0
-"""Density of the rated payload, a cube on the interface [kg/m³]."""
 POSTURES = 512
 _STEP = 1e-4  # [rad | m], of the differences of the potential energy; their error is its square
 
@@ -51,24 +48,6 @@ def axis_loads(robot: RobotModel, payload: float) -> AxisLoads:
     """
     loaded, Q = with_payload(replace(robot, drives=()), payload), configurations(robot, POSTURES)
     return AxisLoads(gravity_torques(loaded, Q), axis_inertias(loaded, Q), greatest_gravity_loads(loaded))
-
-
-def with_payload(robot: RobotModel, payload: float) -> RobotModel:
-    """Return an arm whose last link holds a cube of water; the arm itself with nothing to carry.
-
-    Args:
-        robot: bare.
-        payload: mass of the cube, whose face lies on the mechanical interface [kg].
-    """
-    if not (isfinite(payload) and payload > 0.0):
-        return robot
-    side = (payload / WATER) ** (1.0 / 3.0)
-    load = box(payload, np.full(3, side), np.array([0.0, 0.0, 0.5 * side]), np.eye(3))
-    held = robot.links[robot.tip]
-    whole = combine((Payload(held.mass, held.com, held.inertia), moved(load, robot.X_nM)))
-    links = list(robot.links)
-    links[robot.tip] = replace(held, mass=whole.mass, com=whole.com, inertia=whole.inertia)
-    return replace(robot, links=tuple(links))
 
 
 def gravity_torques(robot: RobotModel, Q: Array) -> Array:

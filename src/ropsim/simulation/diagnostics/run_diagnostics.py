@@ -56,10 +56,11 @@ A move ends when every joint is within `in_position` of its target. Here the arm
 moves for more than 2 % of the cycle time in all, and after some of them for more than 20 ms. With better
 gains the same program would be faster. The line named is that of the longest wait.
 
-**How to mend it.** Gains in `[controller]` of the cell file replace the standard ones of a built-in arm:
-leave them out and look again. Otherwise raise `kp` and `kv`, or `ki` where dry friction keeps the arm from
-its target, feed the reference forward (`kf`, `ke`, `ka`), or widen `in_position` as far as the task allows.
-A payload much heavier than the arm is tuned for settles slowly, too: slow the move down.
+**How to mend it.** Gains in `[controller]` of the cell file replace the law of a built-in arm, which knows
+its load, by loops of fixed gains: leave them out and look again. Otherwise raise `kp` and `kv`, or `ki` where
+dry friction keeps the arm from its target, feed the reference forward (`kf`, `ke`, `ka`), or widen
+`in_position` as far as the task allows. With such gains a payload much heavier than the arm is tuned for
+settles slowly, too: slow the move down.
 """,
 )
 

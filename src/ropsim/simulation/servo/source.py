@@ -19,6 +19,7 @@ def servo_functions(structure: ArmStructure, law: CompiledLaw) -> tuple[SourceFu
     """Return the functions of the slice module; `run_slice` is the last."""
     return (
         *plant_code(structure).functions,
+        *law.functions,
         SourceFunction("law", LAW_SIGNATURE, law.source, Bounds.CHECKED),
         SourceFunction("run_slice", SLICE_SIGNATURE, _slice_text(structure, law.traits)),
     )

@@ -88,7 +88,7 @@ def _not_in_position(at: StationRun, move: MoveInstruction) -> Diagnostic:
         f"joint `{model.name}` {found} after {controller.settle_timeout:g} s, in position means {means}; "
         f"the tool is {away * 1e3:.3g} mm from its target",
         label=f"pass {move.origin.visit}",
-        hint="slow the move down, raise the integral gain `ki`, or widen `in_position` in the cell file",
+        hint="slow the move down, or widen `in_position` in the cell file",
         data={
             "pass": move.origin.visit,
             "joint": joint + 1,

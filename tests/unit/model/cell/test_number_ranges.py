@@ -58,7 +58,7 @@ DRIVES: tuple[DeviceDrive, ...] = (
     IndexDrive("out", 0.1, 0.2, 1.0),
 )
 CONTROLLER = robots.default_controller(ARM)
-TORQUE_GAINS = ComputedTorqueGains(frozen([100.0] * 6), frozen([20.0] * 6))
+TORQUE_GAINS = ComputedTorqueGains(frozen([100.0] * 6), frozen([20.0] * 6), frozen([5.0] * 6))
 TOOL = Tool(
     "gripper",
     gripper=Gripper(0.1, 0.1, 0.01, Fingers(AXIS, 0.02, 0.0)),

@@ -25,6 +25,7 @@ from ropsim.model import (
     ParameterOrigin,
     RobotModel,
     audit,
+    with_payload,
 )
 from ropsim.robotfile import ArmFacts, TorqueTrust, estimated_dynamics
 from ropsim.robotfile.testing import (
@@ -33,7 +34,6 @@ from ropsim.robotfile.testing import (
     full_accelerations,
     gravity_torques,
     link_masses,
-    with_payload,
 )
 
 ESTIMATES = ("masses", "torque limits", "rotors and gears", "friction", "joint accelerations")

@@ -81,7 +81,7 @@ def test_a_thin_recording_finds_what_a_dense_one_finds(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(
-        "ropsim.simulation.findings.verdicts.FOLLOWING", 1e-4
+        "ropsim.simulation.findings.verdicts.FOLLOWING", 1e-5
     )  # rad; this arm stays within 0.1 rad
     dense, thin = swung(1000), swung(7)
     assert len(thin.time) < 0.01 * len(dense.time)

@@ -11,7 +11,7 @@ import pytest
 
 from ropsim import robots
 from ropsim.codegen.testing import compiled
-from ropsim.model import ControllerModel, Friction, Payload, RobotModel
+from ropsim.model import ControllerModel, Friction, Payload, Rates, RobotModel
 from ropsim.simulation import Servo, ServoState
 from support.dc_drives import dc_motor
 from support.gains import cascaded
@@ -24,7 +24,7 @@ def _heavier(arm: Arm) -> Arm:
     robot, _ = arm
     links = tuple(replace(link, mass=1.1 * link.mass) for link in robot.links)
     changed = replace(robot, links=links)
-    return changed, robots.default_controller(changed)
+    return changed, robots.cascaded_controller(changed, Rates())
 
 
 def _worn(arm: Arm) -> Arm:

@@ -15,9 +15,9 @@ from ropsim.controller import cascaded_p_pi
 from ropsim.core import SourceText
 from ropsim.flow import JointReference
 from ropsim.kinematics import forward_batch
-from ropsim.model import CascadedGains, Payload, Rates, RobotModel
+from ropsim.model import CascadedGains, HydraulicMotor, Payload, Rates, RobotModel
 from ropsim.robotfile import read_robot_file
-from ropsim.robots.standard_controller import standard_controller
+from ropsim.robots.standard_controller import cascaded_controller, standard_controller
 from ropsim.simulation import Servo
 from ropsim.spatial import Array
 from support.arms import drive
@@ -109,20 +109,23 @@ def angles(point: Array) -> Array:
     return np.array([np.arctan2(point[1], point[0]) - ahead, elbow])
 
 
-def test_each_axis_has_a_pi_regulator_at_half_of_what_leaks(robot: RobotModel) -> None:
-    gains = standard_controller(robot, Rates()).gains
+def test_each_axis_has_a_pi_regulator_at_a_share_of_what_leaks(robot: RobotModel) -> None:
+    motors = [one.motor for one in robot.drives if isinstance(one.motor, HydraulicMotor)]
+    tighter = tuple(
+        replace(one, motor=replace(motor, leakage=0.5 * motor.leakage))
+        for one, motor in zip(robot.drives, motors, strict=True)
+    )
+    gains = standard_controller(replace(robot, drives=tighter), Rates()).gains
     assert isinstance(gains, CascadedGains)
-    crossover = 0.5 * min(2.0 * 1.2e9 * 2e-12 / 2.5e-4, 2.0 * 1.2e9 * 1.2e-12 / 1.2e-4)
+    crossover = 0.7 * min(2.0 * 1.2e9 * 1e-12 / 2.5e-4, 2.0 * 1.2e9 * 0.6e-12 / 1.2e-4)
     np.testing.assert_allclose(gains.ki / gains.ke, crossover)
     np.testing.assert_array_equal([gains.kv, gains.ka, gains.kf], [[0.0, 0.0], [0.0, 0.0], [1.0, 1.0]])
 
 
 def test_an_axis_with_another_motor_keeps_its_own_loops(robot: RobotModel) -> None:
     mixed = replace(robot, drives=(robot.drives[0], drive(ratio=120.0)))
-    gains, alone = (
-        standard_controller(one, Rates()).gains
-        for one in (mixed, replace(robot, drives=(drive(ratio=120.0),) * 2))
-    )
+    electric = replace(robot, drives=(drive(ratio=120.0),) * 2)
+    gains, alone = standard_controller(mixed, Rates()).gains, cascaded_controller(electric, Rates()).gains
     assert isinstance(gains, CascadedGains)
     assert isinstance(alone, CascadedGains)
     assert gains.kv[0] == 0.0 < gains.kv[1]

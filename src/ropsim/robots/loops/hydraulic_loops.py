@@ -4,7 +4,7 @@ Each axis gets a PI regulator of its own: in the terms of the cascade kv = 0, so
 ke·q̇_ref. With the oil spring k = β·(A_a²/V_a + A_b²/V_b)·G² of every axis the arm swings at the frequencies
 ω of k against its masses; leakage takes d = β·L·(1/V_a + 1/V_b) from that, per second; of a motor A is its
 displacement, and both chambers are alike. Of one axis s³ + d·s² + ω²·s + c·ω² = 0 is stable up to a crossover
-c = d (H. E. Merritt, Hydraulic Control Systems, 1967, chapter 6): half of that is taken. A cylinder has
+c = d (H. E. Merritt, Hydraulic Control Systems, 1967, chapter 6): a part of that is taken. A cylinder has
 another lever at each place, and another speed out than in for one opening of its valve: ki is that of where
 an opening moves the axis fastest, ke the middle of the range.
 """
@@ -30,12 +30,15 @@ from ropsim.spatial import Array
 
 SWING_SHARE = 0.25
 """Most of a crossover over the lowest frequency at which the arm swings on its oil."""
+LEAK_SHARE = 0.7
+"""Crossover over the rate at which the oil leaks, up to which one axis is stable."""
 LEAST_SHARE = 0.03
 """Least of it: open valves also damp."""
 VALVE_SHARE = 0.2
 """Most of a crossover over the natural frequency of a valve, and over the control rate [Hz]."""
-CORNER_SHARE = 0.5
-"""Corner of the integral action over the crossover: it costs about 27 degrees of phase."""
+CORNER_SHARE = 0.25
+"""Corner of the integral action over the crossover: it costs about 14 degrees of phase, and with the swing of
+the oil an axis goes less than a tenth beyond a step of its reference."""
 SAMPLES = 64
 WINDOW = pi / 360.0
 """Window of a fine stop of a hydraulic axis [rad | m], half a degree: within it the arm swings for long, and
@@ -64,7 +67,7 @@ def hydraulic_crossover(robot: Mechanism, rates: Rates) -> float:
     )
     swing = softest**-0.5
     fastest = VALVE_SHARE * min(rates.control_hz, *(_valve(robot.drives[axis]) for axis in axes))
-    return float(min(max(0.5 * leaks.min(), LEAST_SHARE * swing), SWING_SHARE * swing, fastest))
+    return float(min(max(LEAK_SHARE * leaks.min(), LEAST_SHARE * swing), SWING_SHARE * swing, fastest))
 
 
 def _oil(drive: Drive, q: float) -> tuple[float, float]:

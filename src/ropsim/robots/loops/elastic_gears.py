@@ -12,25 +12,14 @@ so that a slow loop takes energy out of the swing for kv·kp < k.
 
 import numpy as np
 
-from ropsim.dynamics import mass_matrices, rotor_inertias
-from ropsim.model import ElasticGear, Mechanism
+from ropsim.dynamics import elastic_axes, gear_stiffnesses, mass_matrices, rotor_inertias
+from ropsim.model import Mechanism
 from ropsim.spatial import Array
 
 ELASTIC_SHARE = 0.7
 """Crossover of the speed loop over the frequency at which its axis swings."""
 SOFTER = 1.0 / 3.0
 """Greatest stiffness kv·kp of a position loop, as a torque at the joint, over that of the gear."""
-
-
-def elastic_axes(robot: Mechanism) -> Array:
-    """Return which axes have elastic gears, shape (n,)."""
-    return np.isfinite(gear_stiffnesses(robot))
-
-
-def gear_stiffnesses(robot: Mechanism) -> Array:
-    """Return the stiffness of the gear of each axis [N·m/rad | N/m], shape (n,); inf for rigid gears."""
-    gears = [drive.transmission for drive in robot.drives]
-    return np.array([one.stiffness if isinstance(one, ElasticGear) else np.inf for one in gears])
 
 
 def elastic_frequencies(robot: Mechanism, Q: Array) -> Array:
@@ -61,3 +50,24 @@ def elastic_frequencies(robot: Mechanism, Q: Array) -> Array:
         with np.errstate(divide="ignore"):
             found[axes] = np.sqrt(alone.max() / together / alone)
     return found
+
+
+def elastic_words(swings: Array, share: float) -> str:
+    """Return how elastic gears bound the speed loops of their axes; empty where all are rigid.
+
+    Args:
+        swings: how fast each axis swings [rad/s], inf for rigid gears, shape (n,).
+        share: most of that for the crossover of a speed loop.
+    """
+    if not np.isfinite(swings).any():
+        return ""
+    return (
+        f"; axes with elastic gears swing at {span(swings[np.isfinite(swings)])} rad/s while motors are "
+        f"held, their speeds are measured at the motors, in loops of at most {share:g} of that"
+    )
+
+
+def span(values: Array) -> str:
+    """Return the least and the greatest of some numbers in words."""
+    low, high = f"{values.min():.3g}", f"{values.max():.3g}"
+    return low if low == high else f"{low} to {high}"

@@ -1,0 +1,1 @@
+"""Loops of standard controllers: the gains of each law and of hydraulic axes, from the model of the arm."""
