@@ -32,7 +32,7 @@ def random_chain(seed: int) -> tuple[Array, float, float]:
     noise = step * float(np.exp(rng.uniform(np.log(1e-4), np.log(0.05))))
     points = bent + noise * rng.normal(size=bent.shape)
     points -= 0.5 * (points.max(axis=0) + points.min(axis=0))
-    inside = (np.abs(points) < BOX).all(axis=1)
+    inside = np.asarray((np.abs(points) < BOX).all(axis=1))
     first = int(np.argmax(inside))
     last = first + int(np.argmin(np.append(inside[first:], False)))
     zone = step * float(np.exp(rng.uniform(np.log(0.1), np.log(3.0))))
