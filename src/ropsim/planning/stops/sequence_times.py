@@ -32,13 +32,13 @@ def times_alone(
     found: dict[int, float] = {}
     for part in parts:
         for path_segment in part.path_segments:
-            path = moves[path_segment.move_number].joints
-            if path_segment.ends or path is None or not path_segment.is_even:
+            number, path = path_segment.move_number, moves[path_segment.move_number].joints
+            if path_segment.ends or path is None:
                 continue
-            is_whole = len(part.path_segments) == 1 and path_segment.joints is path
-            found[path_segment.move_number] = (
-                part.law.duration if is_whole else _even_time(path_segment.path_limits, path.length, rules)
-            )
+            if len(part.path_segments) == 1 and path_segment.joints is path:
+                found[number] = part.law.duration
+            elif path_segment.is_even:
+                found[number] = _even_time(path_segment.path_limits, path.length, rules)
     for number, move in enumerate(moves):
         if own := own_law_of(move.joints):
             found[number] = own.duration

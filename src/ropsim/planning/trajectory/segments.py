@@ -2,8 +2,6 @@
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from ropsim.core import maker
 from ropsim.motion import (
     JointPath,
@@ -17,8 +15,6 @@ from ropsim.planning.blends.blend import Blend, CartesianBlend, JointSpaceBlend,
 from ropsim.planning.moves.move_curve import MoveCurve
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.path_limits.path_limits import (
-    FASTEST,
-    BendSpeeds,
     along_with,
     joint_path_limits,
     lesser_limits,
@@ -28,14 +24,6 @@ from ropsim.planning.path_limits.path_limits import (
 from ropsim.planning.records.coordination import Coordination
 from ropsim.spatial import Pose, record
 
-_CHOICES = (
-    FASTEST,
-    *(BendSpeeds(1.0, level) for level in (1.1, 0.95, 0.82, 0.7, 0.58)),
-    *(BendSpeeds(share, 2.0) for share in (0.9, 0.81)),
-    *(BendSpeeds(share, np.inf) for share in (0.729, 0.656)),
-    BendSpeeds(0.9, 1.1),
-)
-"""What is tried on the path of a move; of 55 combinations those that make random splines quickest."""
 _NOTHING = 1e-9
 """Share of a path below which nothing is left of it between two blends."""
 _NO_LIMITS = PathLimits.of(())
@@ -130,7 +118,7 @@ def _straight(number: int, move: PlannedMove, first: float, last: float) -> Path
     if not whole:
         tool = ToolSection(tool, first, last)
         coordination = coordination.part(first, last) if coordination else None
-    choices = tool_path_limit_choices(tool, planned.limits.tool, _CHOICES)
+    choices = tool_path_limit_choices(tool, planned.limits.tool)
     path_limits, *gentler = (along_with(one, coordination) for one in choices)
     return _path_segment(
         number,
@@ -167,7 +155,7 @@ def _along_curve(number: int, move: PlannedMove, curve: MoveCurve, first: float,
         last: path parameter at which it ends [m].
     """
     joints, tool = JointSection(curve.joints, first, last), ToolSection(curve.tool, first, last)
-    path_limits, *gentler = tool_path_limit_choices(tool, move.planned.limits.tool, _CHOICES)
+    path_limits, *gentler = tool_path_limit_choices(tool, move.planned.limits.tool)
     parameters = curve.parameters if curve.before else curve.parameters[1:]
     ends = tuple((parameters[parameters < curve.length] - first).tolist())
     begins_on = number + 1 - len(parameters)
