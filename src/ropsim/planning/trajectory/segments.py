@@ -155,7 +155,7 @@ def _along_curve(number: int, move: PlannedMove, curve: MoveCurve, first: float,
         last: path parameter at which it ends [m].
     """
     joints, tool = JointSection(curve.joints, first, last), ToolSection(curve.tool, first, last)
-    path_limits, *gentler = tool_path_limit_choices(tool, move.planned.limits.tool, _CHOICES)
+    path_limits, *gentler = tool_path_limit_choices(tool, move.planned.limits.tool)
     parameters = curve.parameters if curve.before else curve.parameters[1:]
     ends = tuple((parameters[parameters < curve.length] - first).tolist())
     begins_on = number + 1 - len(parameters)
