@@ -108,7 +108,9 @@ from ropsim.motion.paths.spline import spline as spline
 from ropsim.motion.paths.standing import Standing as Standing
 from ropsim.motion.paths.turn import Turn as Turn
 from ropsim.motion.paths.turn import plan_turn as plan_turn
+from ropsim.motion.retiming.constraint_rows import PathMotion as PathMotion
 from ropsim.motion.retiming.constraint_rows import constraint_rows as constraint_rows
+from ropsim.motion.retiming.constraint_rows import no_path_motion as no_path_motion
 from ropsim.motion.retiming.fastest import time_optimal as time_optimal
 from ropsim.motion.retiming.joint_bounds import Effort as Effort
 from ropsim.motion.retiming.joint_bounds import JointBounds as JointBounds
@@ -127,8 +129,6 @@ from ropsim.motion.retiming.retimed import Motion as Motion
 from ropsim.motion.retiming.retimed import RetimedTrajectory as RetimedTrajectory
 from ropsim.motion.retiming.retimed import Slowed as Slowed
 from ropsim.motion.retiming.retimed import too_heavy as too_heavy
-from ropsim.motion.retiming.tool_paths import PathMotion as PathMotion
-from ropsim.motion.retiming.tool_paths import no_path_motion as no_path_motion
 from ropsim.motion.retiming.utilisation import ROUNDING as ROUNDING
 from ropsim.motion.time_law.durations import ZERO_LENGTH as ZERO_LENGTH
 from ropsim.motion.time_law.durations import durations as durations

@@ -34,6 +34,8 @@ from ropsim.motion.retiming.nominal_time_kernel import ROWS_OF_RATES as ROWS_OF_
 from ropsim.motion.retiming.nominal_time_kernel import beyond_torque as beyond_torque
 from ropsim.motion.retiming.nominal_time_kernel import evaluate_at as evaluate_at
 from ropsim.motion.retiming.nominal_time_kernel import timed as timed
+from ropsim.motion.retiming.path_load_kernel import PathLoad as PathLoad
+from ropsim.motion.retiming.path_load_kernel import most_step as most_step
 from ropsim.motion.retiming.point_kernel import WORK_ROWS as WORK_ROWS
 from ropsim.motion.retiming.point_kernel import PointLimits as PointLimits
 from ropsim.motion.retiming.point_kernel import TimedPoints as TimedPoints
@@ -43,7 +45,6 @@ from ropsim.motion.retiming.smooth_rates_kernel import WORK as WORK
 from ropsim.motion.retiming.smooth_rates_kernel import greatest_nearby as greatest_nearby
 from ropsim.motion.retiming.smooth_rates_kernel import rounded as rounded
 from ropsim.motion.retiming.smooth_rates_kernel import windows_last as windows_last
-from ropsim.motion.retiming.tool_paths import steps_allowed as steps_allowed
 from ropsim.motion.retiming.utilisation import Going as Going
 from ropsim.motion.retiming.utilisation import utilisation_as_planned as utilisation_as_planned
 from ropsim.motion.retiming.utilisation import utilisation_of_rows as utilisation_of_rows
@@ -52,7 +53,6 @@ from ropsim.motion.retiming.utilisation_kernel import RATE as RATE
 from ropsim.motion.retiming.utilisation_kernel import SWING as SWING
 from ropsim.motion.retiming.utilisation_kernel import WINDOW as WINDOW
 from ropsim.motion.retiming.utilisation_kernel import Derivatives as Derivatives
-from ropsim.motion.retiming.utilisation_kernel import by_real_time as by_real_time
 from ropsim.motion.retiming.utilisation_kernel import give_up as give_up
 from ropsim.motion.time_law import law_rows_kernel as law_rows_kernel
 from ropsim.motion.time_law import law_times_kernel as law_times_kernel

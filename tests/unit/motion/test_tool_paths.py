@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from ropsim.motion import JointPoints, PathMotion, no_path_motion
-from ropsim.motion.testing import steps_allowed
+from ropsim.motion.testing import PathLoad, most_step
+from ropsim.spatial import Array
 
 INF = np.inf
 
@@ -14,6 +15,14 @@ def ways(accelerations: list[float], jerks: list[float]) -> PathMotion:
     accelerations_, jerks_ = column
     nothing = np.zeros_like(accelerations_)
     return PathMotion(nothing, accelerations_, nothing + INF, jerks_)
+
+
+def steps_allowed(paths: PathMotion, phi: Array, period: float) -> Array:
+    """Return by how much the acceleration of each path may differ from that of the tick before."""
+    load = PathLoad(paths.speeds, paths.accelerations, paths.most_accelerations, paths.most_jerks)
+    timing = np.stack((phi, np.ones(len(phi)), np.zeros(len(phi))))
+    places = np.ndindex(paths.speeds.shape)
+    return np.array([most_step(load, timing, k, j, period) for k, j in places]).reshape(paths.speeds.shape)
 
 
 def test_the_lesser_limit_of_two_ticks_counts() -> None:

@@ -7,8 +7,48 @@ import numpy as np
 from ropsim.motion.curves.path import JointPoints
 from ropsim.motion.retiming.constraint_kernel import creeping
 from ropsim.motion.retiming.joint_bounds import Effort, JointBounds, torques
-from ropsim.motion.retiming.tool_paths import PathMotion, no_path_motion
-from ropsim.spatial import Array
+from ropsim.spatial import Array, frozen, record
+
+
+@record
+class PathMotion:
+    """Motion along r paths at k nominal times, each of shape (k, r).
+
+    With the path parameter s on a path, in its unit: the limits hold for d²s/dt² and d³s/dt³ by real time t.
+    Where the motion is not on a path, s rests and its limits are infinity.
+
+    Attributes:
+        speeds: ds/dφ by nominal time φ.
+        accelerations: d²s/dφ².
+        most_accelerations: limits of |d²s/dt²|, above 0.
+        most_jerks: limits of |d³s/dt³|, above 0.
+    """
+
+    speeds: Array
+    accelerations: Array
+    most_accelerations: Array
+    most_jerks: Array
+
+    def __post_init__(self) -> None:
+        for name in ("speeds", "accelerations", "most_accelerations", "most_jerks"):
+            object.__setattr__(self, name, frozen(getattr(self, name)))
+
+    def with_joints(self, points: JointPoints) -> tuple[Array, Array]:
+        """Return first and second derivatives of n joints and r path parameters by nominal time, (k, n + r).
+
+        Args:
+            points: the joints, k rows.
+        """
+        if self.speeds.shape[1] == 0:
+            return np.ascontiguousarray(points.d1), np.ascontiguousarray(points.d2)
+        pairs = (points.d1, self.speeds), (points.d2, self.accelerations)
+        first, second = (np.ascontiguousarray(np.hstack(pair)) for pair in pairs)
+        return first, second
+
+
+def no_path_motion(k: int) -> PathMotion:
+    """Return the record of a motion without paths of this kind at k times."""
+    return PathMotion(*(np.empty((k, 0)) for _ in range(4)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

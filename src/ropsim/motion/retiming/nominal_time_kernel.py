@@ -136,7 +136,7 @@ MOST, ROWS_OF_LOAD = 1, 2
 def evaluate_at(
     first: Array2, second: Array2, timing: Array2, limits: Array2, work: Array2, out: Array2, beyond: Array1
 ) -> None:
-    """Write speeds and accelerations at k control ticks, as `by_real_time` does, and excesses over limits.
+    """Write speeds and accelerations by real time at k control ticks, and excesses over limits.
 
     Args:
         first: first derivatives by nominal time, shape (k, n).

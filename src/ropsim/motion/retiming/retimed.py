@@ -6,11 +6,10 @@ import numpy as np
 
 from ropsim.motion.curves.path import JointPoints
 from ropsim.motion.retiming.binding import BindingConstraint
-from ropsim.motion.retiming.constraint_rows import ConstraintRows
+from ropsim.motion.retiming.constraint_rows import ConstraintRows, PathMotion
 from ropsim.motion.retiming.joint_bounds import Quantity
 from ropsim.motion.retiming.nominal_time import NominalTime
 from ropsim.motion.retiming.smooth_rates_kernel import LEAST_RATE
-from ropsim.motion.retiming.tool_paths import PathMotion
 from ropsim.motion.retiming.utilisation import ROUNDING
 from ropsim.spatial import Array, record
 

@@ -6,8 +6,9 @@ import numpy as np
 
 from ropsim.motion.curves.path import JointPoints
 from ropsim.motion.diagnostics import WRONG_PROFILE_REQUEST
+from ropsim.motion.retiming.constraint_rows import PathMotion, no_path_motion
 from ropsim.motion.retiming.joint_bounds import JointBounds, no_torques
-from ropsim.motion.retiming.tool_paths import PathMotion, no_path_motion, steps_allowed
+from ropsim.motion.retiming.path_load_kernel import PathLoad
 from ropsim.motion.retiming.utilisation_kernel import (
     AT_ONCE,
     ROWS_OF_MOTION,
@@ -17,7 +18,6 @@ from ropsim.motion.retiming.utilisation_kernel import (
     Grid,
     JointLoad,
     Used,
-    by_real_time,
     used_by_motion,
     used_by_torque,
     utilisation_of,
@@ -163,38 +163,25 @@ def utilisation_of_rows(
     if going is None:
         ends, still = np.array([0.0, np.inf]), np.zeros((2, torque.shape[1]))
         going = Going(rows, no_path_motion(k), np.stack((np.zeros(k), np.ones(k), np.zeros(k))), ends, still)
-    paths, qd, qdd = going.path_motion, rows.d1, rows.d2
-    if paths.speeds.shape[1]:
-        of_paths = np.empty((2, *paths.speeds.shape))
-        by_real_time(paths.speeds, paths.accelerations, going.timing, of_paths)
-        qd, qdd = np.hstack((qd, of_paths[0])), np.hstack((qdd, of_paths[1]))
-    first, second = paths.with_joints(going.points)
     used, peaks, lacks = np.zeros((4, k)), np.zeros(4), np.zeros((4, len(going.grid_phi)))
-    load = JointLoad(np.ascontiguousarray(qd), np.ascontiguousarray(qdd), torque)
-    path, grid, limits = (
-        Derivatives(first, second),
-        Grid(going.grid_phi, going.still),
-        _limits(bounds, going, period),
+    load = JointLoad(np.ascontiguousarray(rows.d1), np.ascontiguousarray(rows.d2), torque)
+    joints = Derivatives(np.ascontiguousarray(going.points.d1), np.ascontiguousarray(going.points.d2))
+    own = going.path_motion
+    paths = PathLoad(own.speeds, own.accelerations, own.most_accelerations, own.most_jerks)
+    grid, out = Grid(going.grid_phi, going.still), Used(used, peaks, lacks)
+    allowed = 1.0 + ROUNDING
+    utilisation_of(
+        load, joints, paths, going.timing, grid, _limits(bounds, period), period, allowed, more, out
     )
-    inverse, out = np.empty((4, first.shape[1])), Used(used, peaks, lacks)
-    utilisation_of(load, path, going.timing, grid, limits, 1.0 + ROUNDING, more, inverse, out)
     _check(rows, used)
     return Utilisation(used, peaks, lacks)
 
 
-def _limits(bounds: JointBounds, going: Going, period: float) -> Array:
-    """Return limits of joints and paths, shape (4, 1, n), or (4, k, n + r) where there are paths.
+def _limits(bounds: JointBounds, period: float) -> Array:
+    """Return the limits of n joints, and their inverses, shape (2, 4, n).
 
     They are in the order of speed, acceleration, change of acceleration in one tick, and torque.
     """
-    n, paths = len(bounds.speed), going.path_motion
-    k, r = paths.speeds.shape
-    effort = np.full(n, np.inf) if bounds.effort is None else bounds.effort
-    joints = np.array([bounds.speed, bounds.acceleration, period * bounds.jerk, effort])[:, None, :]
-    if r == 0:
-        return joints
-    limits = np.full((4, k, n + r), np.inf)
-    limits[:, :, :n] = joints
-    limits[1, :, n:] = np.maximum(paths.most_accelerations, np.abs(paths.accelerations))
-    limits[2, :, n:] = steps_allowed(paths, going.timing[0], period)
-    return limits
+    effort = np.full(len(bounds.speed), np.inf) if bounds.effort is None else bounds.effort
+    limits = np.array([bounds.speed, bounds.acceleration, period * bounds.jerk, effort])
+    return np.stack((limits, 1.0 / limits))

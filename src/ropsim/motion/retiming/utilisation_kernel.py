@@ -4,6 +4,13 @@ import math
 from typing import NamedTuple
 
 from ropsim.codegen import Array1, Array2, Array3, columns, kernel
+from ropsim.motion.retiming.path_load_kernel import (
+    PathLoad,
+    most_acceleration,
+    most_step,
+    path_acceleration,
+    path_jump,
+)
 from ropsim.motion.retiming.smooth_rates_kernel import greatest_nearby
 from ropsim.spatial import Array
 
@@ -118,10 +125,10 @@ RATE, SWING, WINDOW, LOAD = range(4)
 
 
 class Derivatives(NamedTuple):
-    """Derivatives of joints and paths by nominal time.
+    """Derivatives of n joints by nominal time.
 
     Attributes:
-        first: shape (k, n + r).
+        first: shape (k, n).
         second: of the same shape.
     """
 
@@ -130,12 +137,12 @@ class Derivatives(NamedTuple):
 
 
 class JointLoad(NamedTuple):
-    """n joints, then r paths, at k control ticks.
+    """n joints at k control ticks.
 
     Attributes:
-        qd: speeds of joints [rad/s | m/s], then of paths, shape (k, n + r).
+        qd: speeds [rad/s | m/s], shape (k, n).
         qdd: accelerations [rad/s² | m/s²], of the same shape.
-        torque: of joints [N m | N], shape (k, n), or (k, 0) where it does not count.
+        torque: [N m | N], shape (k, n), or (k, 0) where it does not count.
     """
 
     qd: Array2
@@ -173,13 +180,14 @@ class Used(NamedTuple):
 @kernel
 def utilisation_of(
     load: JointLoad,
-    path: Derivatives,
+    joints: Derivatives,
+    paths: PathLoad,
     timing: Array2,
     grid: Grid,
     limits: Array3,
+    period: float,
     allowed: float,
     more: float,
-    inverse: Array2,
     out: Used,
 ) -> None:
     """Compute utilisation and lacks of n joints and r paths at k control ticks; no number counts as infinity.
@@ -192,37 +200,32 @@ def utilisation_of(
 
     Args:
         load: of the joints at the ticks.
-        path: derivatives at the ticks.
+        joints: their derivatives at the ticks.
+        paths: at the ticks.
         timing: nominal times φ [s], rising, rates dφ/dt, and their changes [1/s], shape (3, k).
         grid: points of the plan.
-        limits: of speed, acceleration, change of acceleration in one tick, and torque, shape (4, k, n + r),
-            or (4, 1, n + r) where they are the same at all ticks.
+        limits: of speed, acceleration, change of acceleration in one tick, and torque of each joint, and
+            their inverses, shape (2, 4, n).
+        period: of the control ticks [s].
         allowed: what may be used of a limit, 1 and rounding.
         more: added to the logarithm of each excess.
-        inverse: work, shape (4, n + r).
         out: the results.
     """
     qd, qdd, torque = load.qd, load.qdd, load.torque
     grid_phi, still, used, peaks = grid.phi, grid.still, out.used, out.peaks
-    interval, last, constant = 0, grid_phi.shape[0] - 2, limits.shape[1] == 1
+    interval, last, ticks = 0, grid_phi.shape[0] - 2, qd.shape[0]
     kinds = 4 if torque.shape[1] else 3
-    for k in range(qd.shape[0]):
-        before = max(k - 1, 0)
+    for k in range(ticks):
         while interval < last and grid_phi[interval + 1] <= timing[0, k]:
             interval += 1
-        here = 0 if constant else k
-        if k == 0 or not constant:
-            _invert(limits, here, inverse)
-        if 0 < k < qd.shape[0] - 1 and _keeps(load, inverse, k, allowed, used, peaks):
+        if 0 < k < ticks - 1 and _keeps(load, paths, timing, limits[1], period, k, allowed, used, peaks):
             continue
         for j in range(qd.shape[1]):
             effort = abs(torque[k, j]) if j < torque.shape[1] else 0.0
             values = (abs(qd[k, j]), abs(qdd[k, j]), _jump(qdd, k, j), effort)
             for kind in range(kinds):
-                value = values[kind]
-                share = value * inverse[kind, j]
-                if not share < allowed * _CLEARLY:
-                    share = _of(value, limits[kind, here, j])
+                value, limit = values[kind], limits[0, kind, j]
+                share = _share(value, limit, limits[1, kind, j], allowed)
                 used[kind, k] = max(used[kind, k], share)
                 if share <= allowed:
                     peaks[kind] = max(peaks[kind], share)
@@ -231,41 +234,46 @@ def utilisation_of(
                     past = (timing[0, k] - grid_phi[interval]) / (grid_phi[interval + 1] - grid_phi[interval])
                     held = still[interval, j] + past * (still[interval + 1, j] - still[interval, j])
                     held = math.copysign(held, held * torque[k, j])
-                    share = (value - held) / max(limits[TORQUE, here, j] - held, _TINY)
+                    share = (value - held) / max(limit - held, _TINY)
                 peaks[kind] = max(peaks[kind], share)
                 lack = math.log(min(max(share, 1.0), MOST_AT_ONCE)) + more
-                given = _given_up(kind, lack, path, timing, j, before, k)
-                for row in range(len(given)):
-                    for i in range(interval, interval + 2):
-                        out.lacks[row, i] = max(out.lacks[row, i], given[row])
+                _give(out.lacks, interval, _given_up(kind, lack, joints.first, joints.second, timing, j, k))
+        for j in range(paths.first.shape[1]):
+            values_of_path = (path_acceleration(paths, timing, k, j), path_jump(paths, timing, k, j, ticks))
+            limits_of_path = (most_acceleration(paths, k, j), most_step(paths, timing, k, j, period))
+            for kind in range(ACCELERATION, JERK + 1):
+                value, limit = abs(values_of_path[kind - 1]), limits_of_path[kind - 1]
+                share = _share(value, limit, 1.0 / limit, allowed)
+                used[kind, k] = max(used[kind, k], share)
+                peaks[kind] = max(peaks[kind], share)
+                if share > allowed:
+                    lack = math.log(min(max(share, 1.0), MOST_AT_ONCE)) + more
+                    _give(out.lacks, interval, _given_up(kind, lack, paths.first, paths.second, timing, j, k))
 
 
-def _causes(path: Derivatives, timing: Array, j: int, before: int, now: int) -> tuple[float, float, float]:
+def _share(value: float, limit: float, inverse: float, allowed: float) -> float:
+    """Return what a value is of its limit: exactly where it decides something."""
+    share = value * inverse
+    return share if share < allowed * _CLEARLY else _of(value, limit)
+
+
+def _give(lacks: Array, interval: int, given: tuple[float, float, float, float]) -> None:
+    """Enter what is to be given up at the points on both sides of a tick."""
+    for row in range(len(given)):
+        for i in range(interval, interval + 2):
+            lacks[row, i] = max(lacks[row, i], given[row])
+
+
+def _causes(first: Array, second: Array, timing: Array, j: int, now: int) -> tuple[float, float, float]:
     """Return the shares that the path, changes of rate on it and changes of acceleration have in a jerk."""
-    w, c, first, second = timing[1, now], timing[2, now], path.first, path.second
+    before = max(now - 1, 0)
+    w, c = timing[1, now], timing[2, now]
     faster = w * w - timing[1, before] * timing[1, before]
     by_path = abs(second[now, j] - second[before, j]) * w * w
     bend = abs(second[now, j] * faster) + abs((first[now, j] - first[before, j]) * c)
     change = abs(first[now, j] * (c - timing[2, before]))
     whole = max(by_path + bend + change, _TINY)
     return by_path / whole, bend / whole, change / whole
-
-
-@kernel
-def by_real_time(first: Array2, second: Array2, timing: Array2, out: Array3) -> None:
-    """Write speeds q'·w and accelerations q''·w² + q'·c of a motion at the rate w, which changes by c.
-
-    Args:
-        first: first derivatives by nominal time, shape (k, n).
-        second: second ones.
-        timing: nominal times [s], rates w = dφ/dt, and their changes c [1/s], shape (3, k).
-        out: where they go, shape (2, k, n).
-    """
-    for k in range(first.shape[0]):
-        w, c = timing[1, k], timing[2, k]
-        for j in range(first.shape[1]):
-            out[0, k, j] = first[k, j] * w
-            out[1, k, j] = second[k, j] * (w * w) + first[k, j] * c
 
 
 def _jump(qdd: Array, k: int, j: int) -> float:
@@ -276,14 +284,17 @@ def _jump(qdd: Array, k: int, j: int) -> float:
     return float(jump)
 
 
-def _invert(limits: Array, here: int, inverse: Array) -> None:
-    """Write the inverse of the limits at a tick."""
-    for kind in range(inverse.shape[0]):
-        for j in range(inverse.shape[1]):
-            inverse[kind, j] = 1.0 / limits[kind, here, j]
-
-
-def _keeps(state: JointLoad, inverse: Array, k: int, allowed: float, used: Array, peaks: Array) -> bool:
+def _keeps(
+    state: JointLoad,
+    paths: PathLoad,
+    timing: Array,
+    inverse: Array,
+    period: float,
+    k: int,
+    allowed: float,
+    used: Array,
+    peaks: Array,
+) -> bool:
     """Return whether a tick between others clearly keeps all limits; if so its shares are noted."""
     qd, qdd, torque = state.qd, state.qdd, state.torque
     speed, acceleration, jerk, load, whole = 0.0, 0.0, 0.0, 0.0, 0.0
@@ -293,6 +304,12 @@ def _keeps(state: JointLoad, inverse: Array, k: int, allowed: float, used: Array
         speed = max(speed, fast * inverse[SPEED, j])
         acceleration = max(acceleration, swing * inverse[ACCELERATION, j])
         jerk = max(jerk, jump * inverse[JERK, j])
+    for j in range(paths.first.shape[1]):
+        now = path_acceleration(paths, timing, k, j)
+        swing, jump = abs(now), abs(now - path_acceleration(paths, timing, k - 1, j))
+        whole += abs(paths.first[k, j] * timing[1, k]) + jump + swing
+        acceleration = max(acceleration, swing * (1.0 / most_acceleration(paths, k, j)))
+        jerk = max(jerk, jump * (1.0 / most_step(paths, timing, k, j, period)))
     for j in range(torque.shape[1]):
         whole += abs(torque[k, j])
         load = max(load, abs(torque[k, j]) * inverse[TORQUE, j])
@@ -305,11 +322,11 @@ def _keeps(state: JointLoad, inverse: Array, k: int, allowed: float, used: Array
 
 
 def _given_up(
-    kind: int, lack: float, path: Derivatives, timing: Array, j: int, before: int, now: int
+    kind: int, lack: float, first: Array, second: Array, timing: Array, j: int, now: int
 ) -> tuple[float, float, float, float]:
     """Return what is to be given up for a lack, in the order of the rows of lacks."""
     if kind == JERK:
-        by_path, bend, change = _causes(path, timing, j, before, now)
+        by_path, bend, change = _causes(first, second, timing, j, now)
         return by_path * STEADY * lack, (bend + SWING_SHARE * change) * lack, lack * change, 0.0
     if kind == ACCELERATION:
         return 0.0, lack, 0.0, 0.0

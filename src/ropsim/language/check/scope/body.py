@@ -367,15 +367,6 @@ class Body:
             self.past.add(name)
 
     @contextmanager
-    def each_of(self, listed: Listed) -> Iterator[None]:
-        """Let the name of a list mean the point in hand for a while."""
-        self.each = listed
-        try:
-            yield
-        finally:
-            self.each = None
-
-    @contextmanager
     def in_loop(self, loop: Loop) -> Iterator[None]:
         """Allow `break` and `continue` for a while."""
         self.loops.append(loop)

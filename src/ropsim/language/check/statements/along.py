@@ -56,8 +56,11 @@ def along(body: Body, node: syntax.Motion, name: Name) -> tuple[Along, Expressio
         message = f"a curve leads through two points or more, `{name.text}` has {count}"
         body.fail(kinds.OUT_OF_RANGE, name, message, "write `lin` to reach one point")
     _check_coincident(body, node, name, found)
-    with body.each_of(found):
+    body.each = found
+    try:
         value = values.check(body, node.target)
+    finally:
+        body.each = None
     target = convert.to(body, value, POSE, node.target, f"the points of `{node.word} along`")
     sides = _sides(target)
     if sides is None:
