@@ -188,6 +188,8 @@ def _time_at(segments: Array, row: int, s: float, end: float) -> float:
         u = min(u, sqrt(2.0 * distance / a))
     if j > 0.0:
         u = min(u, (6.0 * distance / j) ** (1.0 / 3.0))
+    if u == 0.0:  # so near that the parts round to no time
+        return min(float(segments[1, row]), end)
     least, most = 0.0, segments[6, row]
     for _ in range(HALVINGS):
         over = u * (v + u * (0.5 * a + u * (j * SIXTH))) - distance

@@ -23,7 +23,9 @@ TO_REST = 9
 """Row of a table at which the fall begins from a path segment to the end of the path; see `write_fall`."""
 KEPT = 15
 """Row of the path segment up to which the fall from a horizon is known; -1 for none. It stands behind it."""
-ROWS = 22
+BORDER = 22
+"""Row of the bound of the speed at the start of a path segment, were there no horizons."""
+ROWS = 23
 """Rows of a table."""
 
 
@@ -88,7 +90,7 @@ def stoppable_speed(table: Array, path_segment: int, s: float, ahead: int) -> fl
         known = int(table[KEPT, ahead])
         fall = _fall_of(table[KEPT + 1 :, ahead])
     for k in range(known, path_segment, -1):
-        fall = longer_fall(fall, table[0, k], table[2, k], table[3, k], table[4, k])
+        fall = longer_fall(fall, table[0, k], table[2, k], table[3, k], table[BORDER, k])
         if fall.length == 0.0 and fall.speed == table[TO_REST, k]:
             fall = _fall_of(table[TO_REST:, path_segment + 1])
             break

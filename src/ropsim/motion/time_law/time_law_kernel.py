@@ -14,16 +14,17 @@ and Melchiorri 2008, Trajectory Planning for Automatic Machines and Robots, sect
 In a table of a path stand, in a column for each path segment: length, speed, acceleration, jerk, bound of the
 speed at its start, horizon; then, where a rise starts at a path segment, its first segment, the one behind
 its last, and the speed to which its end can be levelled off; then the fall from its start to the end of the
-path (see `Fall`); at last, for its horizon, a path segment and the fall behind it with which the motion stops
-in time, if already found. The last column is the end of the path. In a table of segments
-stand path segment, path parameter, speed, acceleration, jerk, duration, path parameter at the end, and the
-speed to which its start can be levelled off.
+path (see `Fall`); for its horizon, a path segment and the fall behind it with which the motion stops in time,
+if already found; at last the bound of the speed at its start, were there no horizons. The last column is the
+end of the path. In a table of segments stand path segment, path parameter, speed, acceleration, jerk,
+duration, path parameter at the end, and the speed to which its start can be levelled off.
 """
 
 from math import inf
 
 from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.motion.time_law.levelling_kernel import (
+    BORDER,
     KEPT,
     TO_REST,
     from_border,
@@ -89,12 +90,9 @@ def _lay_out(bounds: Array, tables: Array) -> int:
         there[5, i] = horizon if 0.0 <= horizon < p - 1 else inf
         gone[i + 1] = gone[i] + there[0, i]
         there[4, i] = 0.0 if i == 0 or bounds[i, 4] == 0.0 else min(there[1, i - 1], there[1, i])
+        there[BORDER, i] = there[4, i]
     there[4, p] = 0.0
-    if _look_ahead(there):
-        for i in range(p - 1):
-            if there[5, i] < inf and there[4, i + 1] > 0.0:
-                there[4, i + 1] = min(there[4, i + 1], stoppable_speed(there, i + 1, 0.0, i))
-        _look_ahead(there)
+    _look_ahead(there)
     for i in range(p):
         for k in range(4):
             back[k, i] = there[k, p - 1 - i]
@@ -136,17 +134,23 @@ def _is_wrong(bounds: Array, table: Array, i: int) -> bool:
     return not (bounds[i, 5] == -1.0 or bounds[i, 5] >= i)
 
 
-def _look_ahead(table: Array) -> bool:
-    """Write the falls from all path segments to the end of the path; return whether a horizon counts."""
+def _look_ahead(table: Array) -> None:
+    """Lower the bounds at the starts of path segments to speeds that stop before a horizon, if one counts.
+
+    The falls keep to the bounds from before: with lowered ones they would differ from those that lowered
+    them, and a rise could be slower where it should end than the one that begins there.
+    """
     p, limited = table.shape[1] - 1, False
     for i in range(p):
         limited = limited or table[5, i] < inf
         table[KEPT, i] = -1.0
     if not limited:
-        return False
+        return
     fall = from_border(0.0)
     write_fall(fall, table[TO_REST:, p])
     for k in range(p - 1, -1, -1):
-        fall = longer_fall(fall, table[0, k], table[2, k], table[3, k], table[4, k])
+        fall = longer_fall(fall, table[0, k], table[2, k], table[3, k], table[BORDER, k])
         write_fall(fall, table[TO_REST:, k])
-    return True
+    for k in range(1, p):
+        if table[5, k - 1] < inf and table[4, k] > 0.0:
+            table[4, k] = min(table[4, k], stoppable_speed(table, k, 0.0, k - 1))
