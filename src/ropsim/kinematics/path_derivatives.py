@@ -62,7 +62,7 @@ def followed(
     """Return joint coordinates (k, n) along a path, and their derivatives by its parameter (2, k, n).
 
     Of all joint rates that move the tool those with the least sum of squares; which rows are asked for does
-    not count, up to the fourth power of their distance.
+    not count, up to the third power of their distance.
 
     Args:
         robot: arm with n joints, one more than its pose needs.

@@ -2,8 +2,8 @@
 
 Of all joint rates that move the tool along its path the least ones are taken (Whitney 1969). From row to row
 they are integrated by the two-derivative formula of fourth order, q1 = q0 + h/2·(q0' + q1') + h²/12·(q0'' -
-q1''), and brought to their pose: where the rows lie does not count. For such formulas see Hairer, Nørsett and
-Wanner 1993, Solving Ordinary Differential Equations I, section II.13.
+q1''), applied once to a prediction, and brought to their pose: where the rows lie hardly counts. For such
+formulas see Hairer, Nørsett and Wanner 1993, Solving Ordinary Differential Equations I, section II.13.
 """
 
 from typing import NamedTuple

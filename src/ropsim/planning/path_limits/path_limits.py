@@ -66,7 +66,7 @@ _FASTEST = BendSpeeds(1.0, np.inf)
 _EVEN = tuple(BendSpeeds(0.9**number, np.inf) for number in range(1, 11))
 """What else is tried on an even bend."""
 _CHANGING = (
-    *(BendSpeeds(1.0, level) for level in (1.1, 0.95, 0.82, 0.7)),
+    *(BendSpeeds(1.0, level) for level in (1.1, 0.95, 0.82, 0.76, 0.7)),
     *(BendSpeeds(0.9, level) for level in (2.0, 1.1)),
     BendSpeeds(0.81, 2.0),
     *(BendSpeeds(share, np.inf) for share in (0.729, 0.656)),
