@@ -1,7 +1,7 @@
 #!/bin/sh
 # Bring .venv up to date: the project itself (editable), its pages and the dependency groups given as arguments.
 #
-#   sh tools/venv.sh [test] [check]
+#   sh tools/venv.sh [test] [check] [bench]
 #
 # Does nothing when pyproject.toml, constraints.txt, this script, the place of the checkout and the sources of the
 # pages are as they were. PYTHON=/path/to/python3 chooses the interpreter; VENV_BIN=.venv/Scripts says where Windows

@@ -71,6 +71,7 @@ from ropsim.planning.path_limits.derivative_bounds_kernel import ALONG as ALONG
 from ropsim.planning.path_limits.derivative_bounds_kernel import SIZES as SIZES
 from ropsim.planning.path_limits.derivative_bounds_kernel import bounds_of as bounds_of
 from ropsim.planning.path_limits.path_limits import along_with as along_with
+from ropsim.planning.path_limits.path_limits import fastest_bounds as fastest_bounds
 from ropsim.planning.path_limits.path_limits import joint_path_limits as joint_path_limits
 from ropsim.planning.path_limits.path_limits import tool_path_limit_choices as tool_path_limit_choices
 from ropsim.planning.path_limits.path_limits import tool_path_limits as tool_path_limits

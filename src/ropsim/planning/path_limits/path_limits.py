@@ -19,7 +19,7 @@ from ropsim.planning.path_limits.derivative_bounds import DerivativeBounds, deri
 from ropsim.planning.path_limits.derivative_bounds_kernel import TINY
 from ropsim.planning.path_limits.path_limits_kernel import bent_limits, straight_limits
 from ropsim.planning.records.coordination import Coordination
-from ropsim.spatial import Array, frozen
+from ropsim.spatial import Array, frozen, record
 
 _SHARES = np.linspace(0.0, 1.0, 33)
 _STRAIGHT = 1e-9
@@ -62,6 +62,40 @@ class BendSpeeds(NamedTuple):
     level: float
 
 
+@record
+class Bend:
+    """A bent path of the tool: the slower it is traversed, the more it leaves for changes of speed.
+
+    Attributes:
+        bounds: of the derivatives of the path.
+        limits: of its two parts, position and orientation, each of shape (2,).
+    """
+
+    bounds: DerivativeBounds
+    limits: JointMotionLimits
+
+    @property
+    def borders(self) -> Array:
+        """Return the path parameters between which its cells lie, shape (k + 1,)."""
+        return np.append(0.0, np.cumsum(self.bounds.lengths))
+
+    def within(self, speeds: Array) -> PathLimits:
+        """Return the bounds that go together if speeds are not exceeded in its cells, shape (k,)."""
+        return _bent(self.bounds, self.limits, _FASTEST, speeds)
+
+
+class ToolBounds(NamedTuple):
+    """Bounds along a path of the tool.
+
+    Attributes:
+        choices: that go together, first those of the highest speed.
+        bend: the path where it is bent so that its speed matters; None where it is not.
+    """
+
+    choices: tuple[PathLimits, ...]
+    bend: Bend | None
+
+
 _FASTEST = BendSpeeds(1.0, np.inf)
 _EVEN = tuple(BendSpeeds(0.9**number, np.inf) for number in range(1, 11))
 """What else is tried on an even bend."""
@@ -81,11 +115,24 @@ def tool_path_limits(path: ToolPath, limits: ToolLimits) -> PathLimits:
         path: of the tool.
         limits: of the TCP and of the orientation.
     """
+    return fastest_bounds(path, limits).choices[0]
+
+
+def fastest_bounds(path: ToolPath, limits: ToolLimits) -> ToolBounds:
+    """Return the bounds along a path of the tool, as fast as its bends allow.
+
+    Args:
+        path: of the tool.
+        limits: of the TCP and of the orientation.
+    """
     found = _fastest_limits(path, limits)
-    return found if isinstance(found, PathLimits) else found[0]
+    if isinstance(found, PathLimits):
+        return ToolBounds((found,), None)
+    first, bounds, _ = found
+    return ToolBounds((first,), Bend(bounds, _of_parts(limits)))
 
 
-def tool_path_limit_choices(path: ToolPath, limits: ToolLimits) -> tuple[PathLimits, ...]:
+def tool_path_limit_choices(path: ToolPath, limits: ToolLimits) -> ToolBounds:
     """Return bounds along a path of the tool that go together; of a bent one several choices.
 
     The slower a bend is traversed, the more it leaves for changes of speed on it: not the highest speed is
@@ -95,19 +142,17 @@ def tool_path_limit_choices(path: ToolPath, limits: ToolLimits) -> tuple[PathLim
     Args:
         path: of the tool.
         limits: of the TCP and of the orientation.
-
-    Returns:
-        the choices, first that of the highest speed.
     """
     found = _fastest_limits(path, limits)
     if isinstance(found, PathLimits):
-        return (found,)
+        return ToolBounds((found,), None)
     first, bounds, d1 = found
     both = _of_parts(limits)
     if (first.bounds[:, 1:] >= _CALM * _straight(path.length, d1, both).bounds[:, 1:]).all():
-        return (first,)
+        return ToolBounds((first,), None)
     others = (_bent(bounds, both, one) for one in (_EVEN if len(first) == 1 else _CHANGING))
-    return tuple({one.rows.tobytes(): one for one in (first, *others)}.values())
+    choices = {one.rows.tobytes(): one for one in (first, *others)}
+    return ToolBounds(tuple(choices.values()), Bend(bounds, both))
 
 
 def _fastest_limits(
@@ -194,8 +239,13 @@ def _straight(length: float, d1: Array, limits: JointMotionLimits) -> PathLimits
     return PathLimits(row)
 
 
-def _bent(derivative_bounds: DerivativeBounds, limits: JointMotionLimits, choice: BendSpeeds) -> PathLimits:
-    """Return bounds that hold together on a bent path."""
+def _bent(
+    derivative_bounds: DerivativeBounds,
+    limits: JointMotionLimits,
+    choice: BendSpeeds,
+    most: Array | None = None,
+) -> PathLimits:
+    """Return bounds that hold together on a bent path, at no more than some speeds in its cells (k,)."""
     rates, k = np.array((limits.speed, limits.acceleration, limits.jerk)), len(derivative_bounds.lengths)
     out, result = np.empty((k, 7)), np.empty(1)
     bent_limits(
@@ -204,6 +254,7 @@ def _bent(derivative_bounds: DerivativeBounds, limits: JointMotionLimits, choice
         rates,
         choice.share,
         choice.level,
+        np.full(k, np.inf) if most is None else np.ascontiguousarray(most),
         np.empty(k),
         np.empty((k, 3)),
         out,

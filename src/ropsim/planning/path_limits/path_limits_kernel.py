@@ -32,6 +32,7 @@ def bent_limits(
     limits: Array2,
     share: float,
     level: float,
+    most: Array1,
     speeds: Array1,
     cells: Array2,
     out: Array2,
@@ -48,6 +49,7 @@ def bent_limits(
         limits: of speed, acceleration and jerk of the parts, shape (3, p).
         share: of the highest speed that bends allow, at which they are traversed at most.
         level: multiple of the mean of these speeds that is not exceeded anywhere.
+        most: speeds that are not exceeded in the cells, shape (k,).
         speeds: work, shape (k,).
         cells: work, shape (k, 3).
         out: where length, speed, acceleration and jerk go, and the greatest of the last three in any cell of
@@ -64,7 +66,7 @@ def bent_limits(
         length += lengths[i]
         time += lengths[i] / slow
     for i in range(bounds.shape[1]):
-        speeds[i] = lesser(speeds[i], level * length / time)
+        speeds[i] = lesser(lesser(speeds[i], level * length / time), most[i])
     _write_bounds(bounds, limits, speeds, cells)
     result[0] = _join_alike(lengths, cells, out)
 

@@ -9,12 +9,16 @@ import numpy as np
 from ropsim.model import LookAhead
 from ropsim.motion import PathLimits, TimeLaw, TimeLawPlanner, own_law_of
 from ropsim.planning.blends.blend import JointSpaceBlend
+from ropsim.planning.path_limits.path_limits import along_with
 from ropsim.planning.trajectory.move_borders import Counts, on_moves
 from ropsim.planning.trajectory.segments import JoinedSegments, PathSegment
 from ropsim.planning.trajectory.timing_kernel import lay_horizons
 from ropsim.spatial import Array, record
 
 _NOTHING = np.zeros(1, dtype=np.intp)
+_ROUNDS, _MORE = 2, 1.1
+"""How often bounds are fitted to the speeds in bends, and multiple of these that is allowed: with more rounds
+random sequences become 0.3 % quicker at most."""
 
 
 class TimingRules(NamedTuple):
@@ -130,7 +134,36 @@ def _quickest(
         section_of([_gentler(path_segment, number) for path_segment in path_segments], over, rules)
         for number in range(most)
     )
-    return min((first, *others), key=lambda part: part.law.duration)
+    return _refined(min((first, *others), key=lambda part: part.law.duration), rules)
+
+
+def _refined(part: Section, rules: TimingRules) -> Section:
+    """Return a section that is quicker as its bends leave more for changes of speed.
+
+    Bends are passed more slowly than they allow where the tool has to slow down before or behind. With bounds
+    for little more than the speeds that it has there, more acceleration and jerk are left along the path.
+    """
+    for _ in range(_ROUNDS if any(one.bend for one in part.path_segments) else 0):
+        other = section_of(_at_own_speeds(part), part.over, rules)
+        if other.law.duration >= part.law.duration:
+            break
+        part = other
+    return part
+
+
+def _at_own_speeds(part: Section) -> list[PathSegment]:
+    """Return path segments with bounds for little more than the speeds that a section has in its bends."""
+    bent = [(number, one.bend.borders) for number, one in enumerate(part.path_segments) if one.bend]
+    numbers = np.repeat([number for number, _ in bent], [len(borders) for _, borders in bent])
+    times = part.law.times_of(numbers, np.concatenate([borders for _, borders in bent]))
+    speeds, found, first = part.law.at(times).speeds, list(part.path_segments), 0
+    for number, borders in bent:
+        here, one = speeds[first : first + len(borders)], found[number]
+        first += len(borders)
+        if one.bend:
+            most = one.bend.within(_MORE * np.maximum(here[1:], here[:-1]))
+            found[number] = replace(one, path_limits=along_with(most, one.coordination))
+    return found
 
 
 def _gentler(path_segment: PathSegment, number: int) -> PathSegment:

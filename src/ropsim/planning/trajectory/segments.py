@@ -15,11 +15,12 @@ from ropsim.planning.blends.blend import Blend, CartesianBlend, JointSpaceBlend,
 from ropsim.planning.moves.move_curve import MoveCurve
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.path_limits.path_limits import (
+    Bend,
     along_with,
+    fastest_bounds,
     joint_path_limits,
     lesser_limits,
     tool_path_limit_choices,
-    tool_path_limits,
 )
 from ropsim.planning.records.coordination import Coordination
 from ropsim.spatial import Pose, record
@@ -44,6 +45,7 @@ class PathSegment:
         begin: path parameter at which it begins on the path of its move, in the unit of that; 0 for a blend.
         gentler: other bounds along it, with less speed and more acceleration in its bends.
         ends: path parameters before its end at which moves end, from `move_number` on.
+        bend: its path of the tool where that is bent so that its speed matters; None where it is not.
     """
 
     move_number: int
@@ -56,6 +58,7 @@ class PathSegment:
     begin: float = 0.0
     gentler: tuple[PathLimits, ...] = ()
     ends: tuple[float, ...] = ()
+    bend: Bend | None = None
 
     @property
     def last_move(self) -> int:
@@ -114,11 +117,11 @@ def _straight(number: int, move: PlannedMove, first: float, last: float) -> Path
         joints = _section(joints, first, last)
     if tool is None:
         path_limits = _NO_LIMITS if own_law_of(joints) else joint_path_limits(joints, planned.limits.joints)
-        return _path_segment(number, joints, None, planned.X_MT, path_limits, None, None, first, (), ())
+        return _path_segment(number, joints, None, planned.X_MT, path_limits, None, None, first, (), (), None)
     if not whole:
         tool = ToolSection(tool, first, last)
         coordination = coordination.part(first, last) if coordination else None
-    choices = tool_path_limit_choices(tool, planned.limits.tool)
+    choices, bend = tool_path_limit_choices(tool, planned.limits.tool)
     path_limits, *gentler = (along_with(one, coordination) for one in choices)
     return _path_segment(
         number,
@@ -131,16 +134,27 @@ def _straight(number: int, move: PlannedMove, first: float, last: float) -> Path
         first,
         tuple(gentler),
         (),
+        bend,
     )
 
 
 def _round(number: int, before: PlannedMove, behind: PlannedMove, blend: CartesianBlend) -> PathSegment:
     X_MT = before.planned.X_MT
     least = lesser_limits(before.planned.limits.tool, behind.planned.limits.tool)
-    path_limits = along_with(tool_path_limits(blend.tool, least), blend.coordination)
-    ends = (0.5 * blend.joints.length,)
+    (path_limits,), bend = fastest_bounds(blend.tool, least)
+    path_limits = along_with(path_limits, blend.coordination)
     return _path_segment(
-        number, blend.joints, blend.tool, X_MT, path_limits, blend, blend.coordination, 0.0, (), ends
+        number,
+        blend.joints,
+        blend.tool,
+        X_MT,
+        path_limits,
+        blend,
+        blend.coordination,
+        0.0,
+        (),
+        (0.5 * blend.joints.length,),
+        bend,
     )
 
 
@@ -155,10 +169,20 @@ def _along_curve(number: int, move: PlannedMove, curve: MoveCurve, first: float,
         last: path parameter at which it ends [m].
     """
     joints, tool = JointSection(curve.joints, first, last), ToolSection(curve.tool, first, last)
-    path_limits, *gentler = tool_path_limit_choices(tool, move.planned.limits.tool)
+    (path_limits, *gentler), bend = tool_path_limit_choices(tool, move.planned.limits.tool)
     parameters = curve.parameters if curve.before else curve.parameters[1:]
     ends = tuple((parameters[parameters < curve.length] - first).tolist())
     begins_on = number + 1 - len(parameters)
     return _path_segment(
-        begins_on, joints, tool, move.planned.X_MT, path_limits, None, None, first, tuple(gentler), ends
+        begins_on,
+        joints,
+        tool,
+        move.planned.X_MT,
+        path_limits,
+        None,
+        None,
+        first,
+        tuple(gentler),
+        ends,
+        bend,
     )

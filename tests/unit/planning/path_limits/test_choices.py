@@ -49,7 +49,7 @@ def bend(random: np.random.Generator) -> ToolPath:
 
 def times(path: ToolPath, limits: ToolLimits) -> list[float]:
     """Return the times of a path with each choice, first that of the highest speeds."""
-    return [plan_time_law(one).duration for one in tool_path_limit_choices(path, limits)]
+    return [plan_time_law(one).duration for one in tool_path_limit_choices(path, limits).choices]
 
 
 @pytest.mark.parametrize("make", [curve, bend])
@@ -79,5 +79,5 @@ def test_curves_are_up_to_half_as_long_on_their_way_as_at_the_highest_speed_of_e
 def test_a_path_that_is_slow_for_its_bends_has_a_single_choice() -> None:
     path = bend(np.random.default_rng(1))
     slow, quick = (ToolLimits(speed, *ARMS[0]) for speed in (1e-3, 3.0))
-    assert len(tool_path_limit_choices(path, slow)) == 1
-    assert len(tool_path_limit_choices(path, quick)) > 5
+    assert len(tool_path_limit_choices(path, slow).choices) == 1
+    assert len(tool_path_limit_choices(path, quick).choices) > 5

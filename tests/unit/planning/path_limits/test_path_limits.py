@@ -35,7 +35,7 @@ from ropsim.motion import (
     spline,
 )
 from ropsim.planning import Coordination
-from ropsim.planning.testing import along_with, joint_path_limits, tool_path_limit_choices, tool_path_limits
+from ropsim.planning.testing import along_with, fastest_bounds, joint_path_limits, tool_path_limits
 from ropsim.spatial import Array, Pose
 
 ROUNDING = 1e-12
@@ -252,21 +252,39 @@ def round_arc(random: np.random.Generator) -> ToolPath:
     return found
 
 
+def fastest(path: ToolPath, limits: ToolLimits, random: np.random.Generator) -> PathLimits:
+    return tool_path_limits(path, limits)
+
+
+def at_some_speeds(path: ToolPath, limits: ToolLimits, random: np.random.Generator) -> PathLimits:
+    """Return the bounds of a path that is passed at random speeds in its cells."""
+    (bounds,), bend = fastest_bounds(path, limits)
+    if bend is None:
+        return bounds
+    speeds = random.uniform(0.2, 1.0, len(bend.borders) - 1) * float(bounds.bounds[:, 0].max())
+    slower = bend.within(speeds)
+    here = np.searchsorted(slower.ends[:-1], 0.5 * (bend.borders[1:] + bend.borders[:-1]))
+    assert (slower.bounds[here, 0] <= speeds).all()
+    return slower
+
+
 @pytest.mark.parametrize("make", [bow, way_through, round_arc])
-def test_the_bounds_of_the_tool_hold_at_every_place(make: Callable[[np.random.Generator], ToolPath]) -> None:
+@pytest.mark.parametrize("bound", [fastest, at_some_speeds])
+def test_the_bounds_of_the_tool_hold_at_every_place(
+    make: Callable[[np.random.Generator], ToolPath],
+    bound: Callable[[ToolPath, ToolLimits, np.random.Generator], PathLimits],
+) -> None:
     """Speed, acceleration and jerk of TCP and orientation, with those along the way at their bounds at once.
 
-    The vectors are added for each pair of signs of acceleration and jerk along the way. Each path is looked
-    at with another one of its choices.
+    The vectors are added for each pair of signs of acceleration and jerk along the way.
     """
     random = np.random.default_rng(3)
-    for number in range(60):
+    for _ in range(60):
         path = make(random)
         of_tcp = 10.0 ** random.uniform(-1.5, 0.3), random.uniform(0.5, 9.0), 10.0 ** random.uniform(1.0, 3.0)
         of_turn = random.uniform(0.3, 5.0), random.uniform(2.0, 20.0), 10.0 ** random.uniform(1.0, 3.0)
         s = np.linspace(0.0, path.length, 4001)
-        choices = tool_path_limit_choices(path, ToolLimits(*of_tcp, *of_turn))
-        points, bounds = path.tool(s), bounds_at(choices[number % len(choices)], s)
+        points, bounds = path.tool(s), bounds_at(bound(path, ToolLimits(*of_tcp, *of_turn), random), s)
         same = (np.diff(np.hstack(bounds), axis=0) == 0.0).all(
             axis=1
         )  # elsewhere one stage ends and one begins
