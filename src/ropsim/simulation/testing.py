@@ -69,6 +69,7 @@ from ropsim.simulation.state.inputs import usable_inputs as usable_inputs
 from ropsim.simulation.state.inputs import with_inputs as with_inputs
 from ropsim.simulation.station.kinematic_plant import KinematicPlant as KinematicPlant
 from ropsim.simulation.station.sequences import MOST_AHEAD as MOST_AHEAD
+from ropsim.simulation.station.sequences import MOST_MOVES as MOST_MOVES
 from ropsim.simulation.station.sequences import ProgramSequence as ProgramSequence
 from ropsim.simulation.station.sequences import gather as gather
 from ropsim.simulation.station.sequences import why_it_ends as why_it_ends

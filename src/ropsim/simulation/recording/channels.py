@@ -87,18 +87,18 @@ def track_channel(station: str, name: str, track: Track, last: int, control_hz: 
     return Channel(frozen(values), unit, (), text or "signal of the cell", group, subject, times)
 
 
-def pose_channels(station: str, kind: str, matrices: Array, orientation: Array) -> dict[str, Channel]:
+def pose_channels(station: str, kind: str, position: Array, orientation: Array) -> dict[str, Channel]:
     """Return position and orientation of the TCP, by quantity.
 
     Args:
         station: name of the station whose TCP it is.
         kind: `attained` or `command`.
-        matrices: poses X_BT, shape (rows, 4, 4).
-        orientation: the same as unit quaternions, shape (rows, 4).
+        position: in the base frame [m], shape (rows, 3).
+        orientation: unit quaternions, shape (rows, 4).
     """
     return {
         f"{kind}_position": Channel(
-            np.ascontiguousarray(matrices[:, :3, 3]),
+            position,
             "m",
             ("x", "y", "z"),
             f"{kind} TCP position in the base frame",

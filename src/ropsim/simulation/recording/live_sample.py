@@ -53,11 +53,14 @@ def _station_sample(at: StationRun, tick: float) -> dict[str, Channel]:
     log = {name: values[np.newaxis] for name, values in at.plant.at(tick).items()}
     log["q_error"] = log["q_ref"] - log["q"]
     X_MT, name = at.tool_frames.at(tick).matrix(), at.station.name
-    attained, command = (forward_batch(robot, log[one]) @ X_MT for one in ("q", "q_ref"))
+    poses: dict[str, Channel] = {}
+    for kind, one in (("attained", "q"), ("command", "q_ref")):
+        matrices = forward_batch(robot, log[one]) @ X_MT
+        turned = quaternions_from_matrices(matrices[:, :3, :3])
+        poses |= pose_channels(name, kind, np.ascontiguousarray(matrices[:, :3, 3]), turned)
     return {
         **joint_channels(name, robot, log),
-        **pose_channels(name, "attained", attained, quaternions_from_matrices(attained[:, :3, :3])),
-        **pose_channels(name, "command", command, quaternions_from_matrices(command[:, :3, :3])),
+        **poses,
         **{one: _held(name, one, at.tracks[one], tick) for one in sorted(at.tracks)},
     }
 

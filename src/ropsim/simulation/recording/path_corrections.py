@@ -1,6 +1,6 @@
 """How sensors have shifted the paths of a run, row by row."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
@@ -21,20 +21,23 @@ def corrections(paths: Sequence[PathSpan], ticks: Array) -> Array:
     return values
 
 
-def without_corrections(paths: Sequence[PathSpan], ticks: Array, points: Array, turned: Array) -> Array:
+def without_corrections(
+    paths: Sequence[PathSpan], ticks: Array, points: Array, rotations: Callable[[slice], Array]
+) -> Array:
     """Return where the TCP would be on the planned paths [m], shape (k, 3).
 
     Args:
         paths: as followed, in order of time.
         ticks: recorded ticks, shape (k,).
         points: attained TCP positions in the base frame [m], shape (k, 3).
-        turned: orientations R_BT of the command pose, which a correction leaves unchanged, shape (k, 3, 3).
+        rotations: returns orientations R_BT of the command pose at some rows, which a correction leaves
+            unchanged, shape (rows, 3, 3).
     """
     if all(span.correction is None for span in paths):
         return points
     seen = np.array(points)
     for correction, rows in _corrected(paths, ticks):
-        seen[rows] -= correction.at(ticks[rows])[:, None] * (turned[rows] @ correction.direction)
+        seen[rows] -= correction.at(ticks[rows])[:, None] * (rotations(rows) @ correction.direction)
     return seen
 
 

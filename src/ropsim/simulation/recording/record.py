@@ -55,6 +55,9 @@ from ropsim.simulation.station.station_facts import station_facts, with_law
 from ropsim.spatial import Array
 from ropsim.version import __version__
 
+_ROWS_AT_ONCE = 16_384
+"""Rows whose poses are computed together."""
+
 
 def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOptions) -> Recording:
     """Return the recording of a run that has ended."""
@@ -168,20 +171,24 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
         }
     log["q_error"] = log["q_ref"] - log["q"]
     robot = at.station.robot
-    attained, turned = at.tool_frames.on(ticks, forward_batch(robot, log["q"]))
+    attained, turned = _tool_places(at, ticks, log["q"])
     command, commanded = attained, turned
     if log["q_ref"] is not log["q"]:
-        command, commanded = at.tool_frames.on(ticks, forward_batch(robot, log["q_ref"]))
-    positions = np.ascontiguousarray(attained[:, :3, 3])
-    points = without_corrections(at.paths, ticks, positions, command[:, :3, :3])
+        command, commanded = _tool_places(at, ticks, log["q_ref"])
+
+    def rotations(rows: slice) -> Array:
+        flanges = forward_batch(robot, log["q_ref"][rows])
+        return at.tool_frames.on(ticks[rows], flanges).matrices[:, :3, :3]
+
+    points = without_corrections(at.paths, ticks, attained, rotations)
     error = path_errors(at.paths, ticks, log["q"], points)
     name, last = at.station.name, at.tick
     carried = {}
     if any(span.correction for span in at.paths):
         carried["correction"] = correction_channel(name, corrections(at.paths, ticks))
     if any(span.frame for span in at.paths):
-        for kind, q, matrices in (("command", log["q_ref"], command), ("attained", log["q"], attained)):
-            speeds = path_speeds(at.paths, ticks / at.hz, ticks, q, matrices[:, :3, 3])
+        for kind, q, positions in (("command", log["q_ref"], command), ("attained", log["q"], attained)):
+            speeds = path_speeds(at.paths, ticks / at.hz, ticks, q, positions)
             carried[f"{kind}_path_speed"] = path_speed_channel(name, kind, speeds)
     held = {one: track_channel(name, one, at.tracks[one], last, at.hz) for one in sorted(at.tracks)}
     return {
@@ -192,6 +199,24 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
         **carried,
         **held,
     }
+
+
+def _tool_places(at: StationRun, ticks: Array, q: Array) -> tuple[Array, Array]:
+    """Return positions [m] and orientations (w, x, y, z) of the TCP in the base frame, shapes (k, 3), (k, 4).
+
+    Matrices, which take more than all that is kept of them, are those of a block of rows at a time.
+
+    Args:
+        at: the station.
+        ticks: recorded ticks, shape (k,).
+        q: joint coordinates there [rad | m], shape (k, n).
+    """
+    positions, turned = np.empty((len(ticks), 3)), np.empty((len(ticks), 4))
+    for first in range(0, len(ticks), _ROWS_AT_ONCE):
+        rows = slice(first, first + _ROWS_AT_ONCE)
+        matrices, turned[rows] = at.tool_frames.on(ticks[rows], forward_batch(at.station.robot, q[rows]))
+        positions[rows] = matrices[:, :3, 3]
+    return positions, turned
 
 
 def _facts(run: CellRun, programs: Mapping[str, Program], options: RunOptions, arrived: Arrivals) -> RunFacts:

@@ -20,6 +20,8 @@ from ropsim.simulation.records.steps import Step, Steps
 
 MOST_AHEAD = 50
 """Paths of the tool that are read behind a motion sequence at most: a program may be endless."""
+MOST_MOVES = 20_000
+"""Moves that are planned together at most: memory grows with them, and a program may be endless."""
 _MOST_STEPS = 1000
 """Steps that are read for them: a program may also print messages endlessly."""
 
@@ -65,7 +67,8 @@ def gather(first: MoveInstruction, steps: Steps) -> ProgramSequence:
 
     A motion sequence ends with a move without a zone or with a condition that ends it, before and behind a
     move that a sensor corrects, and before anything that needs the arm to stand: an output, a gripper, a
-    wait, an input that is read, the end of the program. The next step stays to be taken.
+    wait, an input that is read, the end of the program; and with `MOST_MOVES` moves. The next step stays to
+    be taken.
 
     Args:
         first: the move.
@@ -78,11 +81,16 @@ def gather(first: MoveInstruction, steps: Steps) -> ProgramSequence:
         flows = _flows(moves[-1])
         if isinstance(step, MessageInstruction) and flows:
             messages.append((len(moves), step))
-        elif isinstance(step, MoveInstruction) and flows and step.tracking is None:
+        elif isinstance(step, MoveInstruction) and flows and _may_join(step, moves):
             moves.append(step)
         else:
             return ProgramSequence(tuple(moves), tuple(messages), step, _ahead(moves, steps))
         steps.take()
+
+
+def _may_join(move: MoveInstruction, moves: Sequence[MoveInstruction]) -> bool:
+    """Return whether a move may be planned together with others."""
+    return move.tracking is None and len(moves) < MOST_MOVES
 
 
 def _ahead(moves: Sequence[MoveInstruction], steps: Steps) -> tuple[MoveInstruction, ...]:
@@ -135,6 +143,9 @@ def why_it_ends(sequence: ProgramSequence) -> str:
         case MoveInstruction(tracking=PathTracking()):
             return "a sensor corrects the next move"
         case MoveInstruction():
-            return "a condition ends the move"
+            is_full = len(sequence.moves) == MOST_MOVES
+            return (
+                f"{MOST_MOVES} moves are planned together at most" if is_full else "a condition ends the move"
+            )
         case _:
             return "the program waits here until the arm stands"

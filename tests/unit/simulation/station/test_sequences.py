@@ -21,7 +21,15 @@ from ropsim.flow import (
     WaitInstruction,
 )
 from ropsim.icr import Finished
-from ropsim.simulation.testing import MOST_AHEAD, ProgramSequence, Step, Steps, gather, why_it_ends
+from ropsim.simulation.testing import (
+    MOST_AHEAD,
+    MOST_MOVES,
+    ProgramSequence,
+    Step,
+    Steps,
+    gather,
+    why_it_ends,
+)
 from support.motion import FINE, lin, ptp
 
 ZONE = ModalState(zone=0.01)
@@ -153,3 +161,11 @@ def test_the_interpreter_is_asked_for_no_more_than_the_step_behind_the_stretch()
 
     steps = program()
     assert len(gather(FIRST, Steps(lambda: next(steps))).moves) == 2
+
+
+def test_a_program_without_end_is_planned_in_parts() -> None:
+    endless = cycle((SECOND,))
+    stretch = gather(SECOND, Steps(lambda: next(endless)))
+    assert len(stretch.moves) == MOST_MOVES
+    assert stretch.next == SECOND
+    assert why_it_ends(stretch) == f"{MOST_MOVES} moves are planned together at most"
