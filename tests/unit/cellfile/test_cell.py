@@ -8,7 +8,7 @@ import pytest
 from ropsim import robots
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
-from ropsim.model import Cell, CorrectionLimits, Rates
+from ropsim.model import Cell, ControllerKind, CorrectionLimits, NoGains, Rates
 from support.gains import cascaded
 
 POSE_TOLERANCE = 1e-12  # [m], a few roundings of coordinates below 1 m
@@ -191,6 +191,25 @@ def test_the_controller_can_be_changed_value_by_value() -> None:
     assert (controller.ptp.value, own.ptp.value) == ("time", "phase")
     assert controller.correction == CorrectionLimits(0.005, 0.04, 0.3)
     assert own.correction == CorrectionLimits(0.02, 0.02, 0.5)
+
+
+@pytest.mark.parametrize(
+    ("line", "kind"),
+    [
+        ("", ControllerKind.COMPUTED_TORQUE),
+        ("kp = [9, 9, 9, 9, 9, 9]", ControllerKind.CASCADED_P_PI),
+        ("ki = [9, 9, 9, 9, 9, 9]", ControllerKind.CASCADED_P_PI),
+        ("kp = [9, 9, 9, 9, 9, 9]\nkd = [9, 9, 9, 9, 9, 9]", ControllerKind.COMPUTED_TORQUE),
+    ],
+)
+def test_stated_gains_of_a_geared_arm_are_those_of_loops_unless_kd_is_among_them(
+    line: str, kind: ControllerKind
+) -> None:
+    controller = cell_of(f"[controller]\n{line}\n").first.controller
+    assert controller.kind is kind
+    if "kp" in line:
+        assert not isinstance(controller.gains, NoGains)
+        assert controller.gains.kp.tolist() == [9.0] * 6
 
 
 def test_classic_settings_name_units_and_frame_of_old_files() -> None:
