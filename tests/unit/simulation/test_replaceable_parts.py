@@ -38,6 +38,7 @@ from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.spatial import Array
 from support.cells import chain_of, one_station
 
+TRUE = 1e-9  # [rad]; a path through samples is as true, whatever they are
 START = (0.2, 1.1, -2.9, -0.4, -0.9, 0.3)
 GOAL: Array = np.array([0.5, 0.1, 0.9])
 
@@ -117,7 +118,8 @@ def test_another_interpolator(cell: Cell, program: icr.Program, standard: Record
     chain = replace(chain_of(cell), interpolator=CountingInterpolator())
     again = run(cell, {"robot": program}, RunOptions(chains={"robot": chain}))
     assert CountingInterpolator.asked == 2  # the line: ahead, for the posture before it, and for itself
-    np.testing.assert_array_equal(again.channels["q"].values, standard.channels["q"].values)
+    values = again.channels["q"].values, standard.channels["q"].values
+    np.testing.assert_allclose(*values, rtol=0.0, atol=TRUE)  # of the standard one derivatives are known
 
 
 @dataclass(frozen=True)

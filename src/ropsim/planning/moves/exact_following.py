@@ -24,10 +24,10 @@ from ropsim.spatial import Array
 
 _ROUNDS = 6
 """So often samples are taken at most; then the path is left to differences."""
-_MOST_PIECES = 8
-"""Into so many pieces a step is divided at most in a round."""
+_MOST_PARTS = 8
+"""Into so many parts a step is divided at most in a round."""
 _SPARE = 1.25
-"""Times more pieces than the error tells: where steps are long, it falls later than by its sixth power."""
+"""Times more parts than the error tells: where steps are long, it falls later than by its sixth power."""
 
 
 def follow_exactly(
@@ -88,11 +88,11 @@ def _denser(s: Array, error: Array) -> Array:
         error: of the pairs of steps [rad | m], of which the sixth root counts, shape (m,).
     """
     wanted = np.where(error > SMOOTH, np.ceil(_SPARE * (error / SMOOTH) ** (1.0 / 6.0)), 1.0)
-    return _divided(s, np.repeat(np.minimum(wanted, _MOST_PIECES).astype(np.intp), 2))
+    return _divided(s, np.repeat(np.minimum(wanted, _MOST_PARTS).astype(np.intp), 2))
 
 
-def _divided(s: Array, pieces: npt.NDArray[np.intp]) -> Array:
+def _divided(s: Array, parts: npt.NDArray[np.intp]) -> Array:
     """Return path parameters with the steps between them divided into as many equal ones."""
-    begins, steps = np.repeat(s[:-1], pieces), np.repeat(np.diff(s) / pieces, pieces)
-    number = np.arange(len(begins)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
+    begins, steps = np.repeat(s[:-1], parts), np.repeat(np.diff(s) / parts, parts)
+    number = np.arange(len(begins)) - np.repeat(np.cumsum(parts) - parts, parts)
     return np.append(begins + number * steps, s[-1])
