@@ -131,7 +131,8 @@ def test_a_line_to_a_location_takes_the_external_axes_there() -> None:
         "wait 0.1",
         "lin here above 50 external (-700, 20)",
     )
-    assert (recording.ok, [str(one) for one in recording.findings]) == (True, [])
+    assert recording.ok
+    assert {one.code for one in recording.findings} == {"S727"}  # they move further than the tool
     q, robot = recording.channels["q"].values, cell().first.robot
     assert q[-1, 6:] == pytest.approx([-0.7, np.radians(20.0)], abs=SHORT)
     there = np.flatnonzero((np.abs(q[:, 6:] - [-0.8, -np.pi / 4.0]) < SHORT).all(axis=1))
