@@ -229,21 +229,35 @@ def _levelled(v: float, a: float, way: list[Interval]) -> tuple[float, list[Inte
 
 
 def _can_stop(v: float, way: list[Interval]) -> bool:
-    """Return whether the motion can come to rest over pieces in one unit, found by walking over them."""
-    for one in way:
-        if v > one.speed * (1.0 + ROUNDING):
+    """Return whether the motion can come to rest over pieces in one unit, found by walking over them.
+
+    It may fall over several pieces at once, with the least of their bounds; between two such falls the
+    acceleration is 0. All divisions are tried.
+    """
+    for count in range(1, len(way) + 1):
+        run = way[:count]
+        if v > min(one.speed for one in run) * (1.0 + ROUNDING):
             return False
-        if _way(v, 0.0, one.acceleration, one.jerk) <= one.length * (1.0 + ROUNDING):
+        slower = _least_speed_behind(v, run)
+        if slower == 0.0 or _can_stop(slower, way[count:]):
             return True
-        low, high = 0.0, v  # the least speed at the end of the piece, where not even rest can be reached
-        for _ in range(200):
-            middle = (low + high) / 2.0
-            if _way(v, middle, one.acceleration, one.jerk) <= one.length * (1.0 + ROUNDING):
-                high = middle
-            else:
-                low = middle
-        v = high
     return v == 0.0
+
+
+def _least_speed_behind(v: float, run: list[Interval]) -> float:
+    """Return the least speed to which a motion falls over pieces, without acceleration at both ends."""
+    length = sum(one.length for one in run) * (1.0 + ROUNDING)
+    a, j = min(one.acceleration for one in run), min(one.jerk for one in run)
+    if _way(v, 0.0, a, j) <= length:
+        return 0.0
+    low, high = 0.0, v
+    for _ in range(60):
+        middle = (low + high) / 2.0
+        if _way(v, middle, a, j) <= length:
+            high = middle
+        else:
+            low = middle
+    return high
 
 
 @settings(max_examples=examples(100), derandomize=True)
@@ -255,6 +269,8 @@ def test_the_motion_can_stop_on_what_is_known(way: list[Interval], data: st.Data
     rows = law.at(law.ends[:-1])
     for i, (v, a) in enumerate(zip(rows.speeds.tolist(), rows.accelerations.tolist(), strict=True)):
         if a < 0.0:  # it brakes already, later than it could begin to without acceleration
+            continue
+        if ahead[i] == len(way) - 1:  # it comes to rest there
             continue
         known = way[i + 1 : ahead[i] + 1]
         top, left = _levelled(v, a, known) if known else (v, known)

@@ -3,9 +3,12 @@
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from ropsim.motion import TimeLaw
 from ropsim.spatial import Array
+
+Counts = npt.NDArray[np.int64]
 
 CELLS = 600
 """Most path limits of a section."""
@@ -73,38 +76,39 @@ def random_limits(rng: np.random.Generator, most: int = CELLS) -> LimitsInRows:
     return LimitsInRows(bounds, counts.astype(np.float64))
 
 
-def _counts(rng: np.random.Generator, n: int) -> Array:
+def _counts(rng: np.random.Generator, n: int) -> Counts:
     """Return how many of n path limits each path segment has."""
     most = int(rng.integers(1, 31))
     ends = np.minimum(np.cumsum(rng.integers(1, most + 1, n)), n)
-    return np.diff(np.unique(ends), prepend=0)
+    return np.diff(np.unique(ends), prepend=0).astype(np.int64)
 
 
 def _powers(rng: np.random.Generator, n: int, level: float) -> Array:
     """Return powers of ten about a level: each for itself, a random walk or a wave."""
-    spread, kind = rng.choice(SPREADS) * rng.random(), rng.integers(3)
+    spread, kind = float(rng.choice(SPREADS) * rng.random()), rng.integers(3)
     if kind == 0:
-        return level + spread * rng.uniform(-0.5, 0.5, n)
-    if kind == 1:
-        return level + np.clip(np.cumsum(spread / 3.0 * rng.normal(size=n)), -1.5, 1.5)
-    return level + 0.5 * spread * np.sin(
-        np.arange(n) * np.exp(rng.uniform(-4.0, 0.0)) + rng.uniform(0.0, 6.0)
-    )
+        found: Array = spread * rng.uniform(-0.5, 0.5, n)
+    elif kind == 1:
+        found = np.clip(np.cumsum(spread / 3.0 * rng.normal(size=n)), -1.5, 1.5)
+    else:
+        rate, begin = float(np.exp(rng.uniform(-4.0, 0.0))), rng.uniform(0.0, 6.0)
+        found = 0.5 * spread * np.sin(np.arange(n) * rate + begin)
+    return level + found
 
 
-def _horizons(rng: np.random.Generator, counts: Array) -> Array:
+def _horizons(rng: np.random.Generator, counts: Counts) -> Array:
     """Return horizons: of none, of a number of path limits or of path segments, or each for itself."""
     n, kind = int(counts.sum()), rng.integers(5)
     numbers, last = np.arange(n), np.cumsum(counts) - 1
     if kind == 0:
         return np.full(n, -1.0)
     if kind == 1:
-        return np.minimum(numbers + rng.integers(0, n), n - 1).astype(np.float64)
+        return np.asarray(np.minimum(numbers + rng.integers(0, n), n - 1), dtype=np.float64)
     if kind == 2:
         return rng.integers(numbers, n).astype(np.float64)
     ahead = last[np.minimum(np.arange(len(last)) + rng.integers(0, 12), len(last) - 1)]
     if kind == 3:
-        return np.repeat(ahead, counts).astype(np.float64)
+        return np.asarray(np.repeat(ahead, counts), dtype=np.float64)
     known = np.full(n, -1.0)
     known[last] = ahead
     return known

@@ -14,7 +14,7 @@ from ropsim.spatial import Array, Pose
 from support.cells import chain_of, one_station
 
 AMID = 0.42, 0.0, 0.4  # [m], within the reach of small arms
-DOWN = 0.0, 1.0, 0.0, 0.0
+DOWN: Array = np.array([0.0, 1.0, 0.0, 0.0])
 REACH = 0.25  # [m], to both sides
 FINE = 0.03
 """Share of the points at which the tool stops."""
@@ -55,7 +55,8 @@ def random_short_lines(
         for line, (point, zone) in enumerate(zip(points[1:], zones.tolist(), strict=True), 1)
     ]
     controller = robots.default_controller(robot)
-    if rng.random() < 0.5:
-        controller = replace(controller, path=robots.joint_path_limits(robot))
+    own = robots.joint_path_limits(robot)
+    if own and rng.random() < 0.5:
+        controller = replace(controller, path=own)
     chain = chain_of(one_station("lines", robot, controller))
     return chain, moves, inverse(robot, Pose(points[0], DOWN)).solutions[0]

@@ -68,13 +68,16 @@ def longer_fall(fall: Fall, length: float, acceleration: float, jerk: float, mos
         most: bound of the speed at its start.
     """
     alone = reached_within(fall.speed, length, acceleration, jerk, most)
-    longer, a, j = fall.length + length, min(fall.acceleration, acceleration), min(fall.jerk, jerk)
-    together = reached_within(fall.base, longer, a, j, min(most, fall.most))
-    if max(alone, together) >= most:
+    if alone < most and fall.length > 0.0:
+        longer, a, j = fall.length + length, min(fall.acceleration, acceleration), min(fall.jerk, jerk)
+        least = min(most, fall.most)
+        together = reached_within(fall.base, longer, a, j, least)
+        if alone <= together < most:
+            return Fall(together, fall.base, longer, a, j, least)
+        alone = max(alone, together)
+    if alone >= most:
         return Fall(most, most, 0.0, inf, inf, inf)
-    if alone > together:
-        return Fall(alone, fall.speed, length, acceleration, jerk, most)
-    return Fall(together, fall.base, longer, a, j, min(most, fall.most))
+    return Fall(alone, fall.speed, length, acceleration, jerk, most)
 
 
 def stoppable_speed(table: Array, path_segment: int, s: float, ahead: int) -> float:

@@ -152,8 +152,15 @@ def test_a_look_ahead_counts_by_its_length_not_by_its_pieces(pieces: int) -> Non
 
 def test_a_look_ahead_lets_no_rise_begin_faster_than_the_one_before_ends() -> None:
     """Falls to rest kept to bounds that such falls had lowered: the speed stepped from 1.56 to 1.66 1/s."""
-    numbers = ((2, 2, 1, 1, 3), (0.5, 2, 1, 8, 3), (1, 1.5, 4, 2, 3), (0.25, 3, 2, 16, 3), (3, 2, 1, 1, -1))
-    law = plan_time_law([Interval(*map(float, row[:4]), horizon=int(row[4])) for row in numbers])
+    law = plan_time_law(
+        [
+            Interval(2.0, 2.0, 1.0, 1.0, horizon=3),
+            Interval(0.5, 2.0, 1.0, 8.0, horizon=3),
+            Interval(1.0, 1.5, 4.0, 2.0, horizon=3),
+            Interval(0.25, 3.0, 2.0, 16.0, horizon=3),
+            Interval(3.0, 2.0, 1.0, 1.0),
+        ]
+    )
     _, _, _, v, a, j, h, _ = law.segments
     ends = v + h * (a + 0.5 * h * j)
     assert ends == pytest.approx(np.append(v[1:], 0.0), rel=ROUNDING, abs=ROUNDING)
