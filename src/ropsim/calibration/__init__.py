@@ -3,6 +3,7 @@
 from ropsim.calibration.calibrate import calibrate as calibrate
 from ropsim.calibration.calibration import Calibration as Calibration
 from ropsim.calibration.calibration import SequenceTimes as SequenceTimes
+from ropsim.calibration.calibration import TraceTime as TraceTime
 from ropsim.calibration.diagnostics import CalibrationError as CalibrationError
 from ropsim.calibration.knowledge import Knowledge as Knowledge
 from ropsim.calibration.limits import MotionSettings as MotionSettings

@@ -5,15 +5,15 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from ropsim.calibration.calibration import Calibration, SequenceTimes
+from ropsim.calibration.calibration import Calibration, SequenceTimes, TraceTime
 from ropsim.calibration.comparing import Reason, compared, held, not_compared, reasons
 from ropsim.calibration.demands import largest
 from ropsim.calibration.diagnostics import MISFIT, OTHER_TRACE, CalibrationError
 from ropsim.calibration.knowledge import felt, knowledge
 from ropsim.calibration.limits import MotionSettings, settings_of
-from ropsim.calibration.logged_sequence import duration
-from ropsim.calibration.problem import Problem, goes_there
-from ropsim.calibration.refining import spreads
+from ropsim.calibration.logged_sequence import LoggedSequence, duration
+from ropsim.calibration.problem import Problem
+from ropsim.calibration.refining import fits_under, spreads
 from ropsim.calibration.replanning import replanner
 from ropsim.calibration.sequence_fit import placed
 from ropsim.calibration.trace.trace import Trace
@@ -53,28 +53,45 @@ def calibrate(
         logged, made, findings = compared(replan, orders, known, station.robot.axis_joints, trace)
     except CalibrationError as error:
         return None, (error.diagnostic,)
-    problem = Problem(replan, tuple(orders), known, tuple(logged))
-    fits = problem.fits(problem.chosen(logged), known)
-    if not fits:
+    along = [one.logged for one in fits_under(replan, logged, known) if one and one.goes_there]
+    if not along:
         return None, (*findings, _nothing_compared(made))
+    problem = Problem(replan, tuple(orders), known, tuple(along))
     found, look = problem.solve()
-    numbers = [one.number for one in problem.chosen(logged)]
-    fitted = felt(replan, problem.chosen(logged), found)
+    used = problem.chosen(along)
+    numbers = [one.number for one in used]
+    fitted = felt(replan, used, found)
     motions = [motion for one in logged if (motion := replan(one.number, found))]
     asked = np.max([largest(motion, found) for motion in motions], axis=0)
-    times, strayed = _times(problem, known, found)
+    times, strayed = _times(problem, logged, known, found)
     if not times:
         return None, (*findings, _nothing_compared(made))
     holds = held(replan, orders, known, station.robot.axis_joints, trace)
     why = {**reasons(holds, orders, {one.number for one in logged}), **strayed}
     lasted = {number: holds.lasted(number, trace) for number in why}
-    left_out = _left_out(problem, known, found, why, lasted)
+    left_out = _left_out(problem, logged, known, found, why, lasted)
     findings += (*_misfits(times), *not_compared(strayed, orders, made))
-    spread = spreads(replan, problem.chosen(logged), found, fitted)
+    spread = spreads(replan, used, found, fitted)
     evidence = knowledge(replan, numbers, found, asked, fitted, spread)
     axes = tuple(one.name for one in station.robot.axis_joints)
+    compared_time = sum(one.logged for one in times)
+    trace_time = TraceTime(
+        float(trace.time[-1] - trace.time[0]),
+        compared_time,
+        holds.time_beside({*range(len(orders))} - set(why), trace),
+    )
     made_of = Calibration(
-        station.name, axes, known, found, evidence, look.kind, times, made, findings, left_out
+        station.name,
+        axes,
+        known,
+        found,
+        evidence,
+        look.kind,
+        times,
+        made,
+        findings,
+        left_out,
+        trace_time,
     )
     return made_of, findings
 
@@ -85,18 +102,18 @@ def _nothing_compared(made: int) -> Diagnostic:
 
 
 def _times(
-    problem: Problem, before: MotionSettings, after: MotionSettings
+    problem: Problem, sequences: Sequence[LoggedSequence], before: MotionSettings, after: MotionSettings
 ) -> tuple[tuple[SequenceTimes, ...], dict[int, Reason]]:
     """Return the times of sequences that the trace has, and why some of them cannot be compared."""
     found, strayed = [], dict[int, Reason]()
-    for logged in problem.logged:
+    for logged in sequences:
         old, new = (problem.replan(logged.number, one) for one in (before, after))
         if old is None or new is None:
             strayed[logged.number] = Reason.UNPLANNED
             continue
         fit = placed(logged, after, new)
         lasted = duration(logged, new, fit.start)
-        if not goes_there(fit) or not lasted > 0.0:
+        if not fit.goes_there or not lasted > 0.0:
             strayed[logged.number] = Reason.OTHER_WAY
             continue
         first, last = (problem.orders[logged.number].moves[end].origin for end in (0, -1))
@@ -108,13 +125,14 @@ def _times(
 
 def _left_out(
     problem: Problem,
+    sequences: Sequence[LoggedSequence],
     before: MotionSettings,
     after: MotionSettings,
     why: Mapping[int, Reason],
     lasted: Mapping[int, float],
 ) -> tuple[SequenceTimes, ...]:
     """Return the motion sequences that are not compared, in order, with their known times."""
-    logged, found = {one.number: one for one in problem.logged}, []
+    logged, found = {one.number: one for one in sequences}, []
     for number, reason in sorted(why.items()):
         first, last = (problem.orders[number].moves[end].origin for end in (0, -1))
         old, new = (problem.replan(number, one) for one in (before, after))

@@ -38,6 +38,26 @@ class SequenceTimes:
         return self.after / self.logged - 1.0
 
 
+@frozen_dataclass
+class TraceTime:
+    """What the time of a trace went into.
+
+    Attributes:
+        whole: from its first sample to its last one [s].
+        compared: in motions that are compared with the planned ones [s].
+        not_compared: in other motions: they are not compared, or not in the program [s].
+    """
+
+    whole: float
+    compared: float
+    not_compared: float
+
+    @property
+    def at_rest(self) -> float:
+        """Return the time in which the robot stood [s]."""
+        return max(self.whole - self.compared - self.not_compared, 0.0)
+
+
 @record
 class Calibration:
     """A calibration.
@@ -54,6 +74,7 @@ class Calibration:
         findings: of the calibration.
         left_out: sequences that were not compared, each with its reason; how long it lasted is NaN where the
             trace does not have it.
+        trace_time: what the whole time of the trace went into.
     """
 
     station: str
@@ -66,6 +87,7 @@ class Calibration:
     made: int
     findings: tuple[Diagnostic, ...]
     left_out: tuple[SequenceTimes, ...] = ()
+    trace_time: TraceTime = TraceTime(0.0, 0.0, 0.0)
 
     @property
     def in_trace(self) -> tuple[SequenceTimes, ...]:
@@ -92,6 +114,11 @@ class Calibration:
         """Return the share by which the time of a sequence is still wrong, root of the mean square."""
         squares = [one.remaining**2 for one in self.in_trace]
         return math.sqrt(sum(squares) / len(squares))
+
+    @property
+    def in_all(self) -> float:
+        """Return the share by which the time of all motions of the trace together is wrong."""
+        return self.time_after / self.logged - 1.0
 
     @property
     def worst(self) -> SequenceTimes:

@@ -63,6 +63,26 @@ class Held:
         spans = self.rests.spans
         return float(trace.time[spans[passage.end][0]] - trace.time[spans[passage.start][1]])
 
+    def time_beside(self, compared: Collection[int], trace: Trace) -> float:
+        """Return for how long a trace moves outside of some sequences [s].
+
+        Args:
+            compared: their numbers.
+            trace: of which this is a part.
+        """
+        within = {
+            gap
+            for number, one in self.passages.items()
+            if number in compared
+            for gap in range(one.start, one.end)
+        }
+        spans = self.rests.spans
+        return sum(
+            float(trace.time[spans[gap + 1][0]] - trace.time[spans[gap][1]])
+            for gap in range(len(spans) - 1)
+            if gap not in within
+        )
+
 
 def held(
     replan: Replan,

@@ -6,16 +6,15 @@ from enum import Enum
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.calibration.demands import RAISED, is_felt, largest
+from ropsim.calibration.demands import RAISED, is_felt
 from ropsim.calibration.limits import MotionSettings
 from ropsim.calibration.logged_sequence import LoggedSequence
 from ropsim.calibration.replanning import Replan
+from ropsim.calibration.slopes import may_be_at
 from ropsim.spatial import Array, frozen, record
 
 _TICKS = 1.5
 """Control ticks by which a motion must change for that."""
-_NEAR = 0.4
-"""Share of a limit from which on a motion may be at it: on bent ways limits are kept from afar."""
 _SURE = 0.015
 """Share of a limit up to which its value may be uncertain, one standard deviation, to count as fitted."""
 _DEVIATIONS = 3.0
@@ -73,14 +72,12 @@ def felt(replan: Replan, logged: Sequence[LoggedSequence], settings: MotionSetti
     return np.array(found, dtype=np.intp)
 
 
-def _may_be_at(replan: Replan, logged: LoggedSequence, settings: MotionSettings) -> Array:
+def _may_be_at(replan: Replan, logged: LoggedSequence, settings: MotionSettings) -> npt.NDArray[np.bool_]:
     """Return which limits a sequence may reach, shape (3n + 6,): near ones, and all of the tool."""
     motion = replan(logged.number, settings)
     if motion is None:
-        return np.zeros(len(settings.all))
-    on_tool_path = any(move.on_tool_path for move in motion.moves)
-    joints = largest(motion, settings) >= _NEAR * settings.joints
-    return np.concatenate((joints.ravel(), np.full(settings.tool.size, on_tool_path)))
+        return np.zeros(len(settings.all), dtype=np.bool_)
+    return may_be_at(motion, settings)
 
 
 def _is_other(

@@ -5,34 +5,43 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.calibration.common_limits import common_limits
-from ropsim.calibration.demands import demand
-from ropsim.calibration.knowledge import felt
+from ropsim.calibration.easing import eased
 from ropsim.calibration.limits import MotionSettings
 from ropsim.calibration.logged_sequence import LoggedSequence
 from ropsim.calibration.look_ahead import (
     FoundLookAhead,
     best_look_ahead,
     choices,
+    coarse,
     depends,
+    likely_look_aheads,
     with_look_ahead,
 )
-from ropsim.calibration.refining import fits_under, refined, total_error
+from ropsim.calibration.ptp_limits import least_joint_limits
+from ropsim.calibration.refining import Trial, fits_under, refined
 from ropsim.calibration.replanning import Replan
-from ropsim.calibration.sequence_fit import SequenceFit, fit_sequence
 from ropsim.core import frozen_dataclass
 from ropsim.flow import MotionKind
 from ropsim.model import LookAhead
 from ropsim.planning import MotionSequence
 
 _MOST_FITTED = 12
-"""Stretches of which limits are fitted at most; the times of all are compared."""
+"""Sequences of which limits are fitted at first; the times of all are compared."""
+_MOST_EASED = 40
+"""Sequences that must stay as they are when limits go back to known ones."""
+_MORE, _GATHERINGS = 4, 2
+"""Sequences that fit worst and are then added, and how often."""
+_WORTH_ADDING = 5e-4
+"""Share of its way from which on a sequence that was not fitted is added."""
 _MOST_FOR_LOOK_AHEAD = 6
-_ANOTHER_WAY = 0.05
-"""Error of the best fit from which on a sequence went another way, as a share of the way of its joints."""
-_CLOSE = 0.002
-"""The same up to which limits can be read off a fit."""
 _ROUNDS = 3
+_FEW_STEPS = 4
+_FEWEST = 3
+"""Sequences on which look-aheads are tried together with limits."""
+_MISFIT = 4e-4
+"""Share of the way beside noise, root of the mean square, from which on other beginnings are tried."""
+_RISE = 1.4
+"""Factor of all limits in one of them."""
 
 
 @frozen_dataclass
@@ -43,7 +52,7 @@ class Problem:
         replan: plans the sequences.
         orders: all sequences of the program.
         known: limits of the project.
-        logged: sequences that the trace has.
+        logged: sequences that the trace has and that go along their planned paths.
     """
 
     replan: Replan
@@ -53,19 +62,25 @@ class Problem:
 
     def solve(self) -> tuple[MotionSettings, FoundLookAhead]:
         """Return the limits and the look-ahead that fit best."""
-        among = choices(self.orders, [one.number for one in self.logged])
+        known = self.known.look_ahead
+        among = choices(self.orders, [one.number for one in self.logged], known)
         bound = [one for one in self.logged if depends(self.replan, one.number, self.known, among[-1])]
         free = [one for one in self.logged if one not in bound]
         settings = self.known
         if bound and self._tell_all(free, bound):
             settings = self.limits(free, settings)
         elif bound:
-            settings = self._tried(bound, free, among)
+            few = [*bound[:: max(1, len(bound) // _FEWEST)][:_FEWEST], *free[:_FEWEST]]
+            settings = self._tried(few, coarse(among, known), settings, np.arange(len(settings.all)))
         tried = bound[:: max(1, len(bound) // _MOST_FOR_LOOK_AHEAD)]
-        look = best_look_ahead(self.replan, tried, settings, among, self.known.look_ahead)
+        likely = likely_look_aheads(self.replan, tried, settings, among)
+        if len(likely) > 1:
+            of_tool = np.arange(settings.joints.size, len(settings.all))
+            settings = self._tried(tried[:_FEWEST], likely, settings, of_tool)
+        look = best_look_ahead(self.replan, tried, settings, among, known)
         for _ in range(_ROUNDS):
             settings = self.limits(self.logged, with_look_ahead(settings, look.value))
-            again = best_look_ahead(self.replan, tried, settings, among, self.known.look_ahead)
+            again = best_look_ahead(self.replan, tried, settings, among, known)
             if again.value == look.value:
                 look = again
                 break
@@ -73,25 +88,59 @@ class Problem:
         return with_look_ahead(settings, look.value), look
 
     def limits(self, logged: Sequence[LoggedSequence], settings: MotionSettings) -> MotionSettings:
-        """Return limits that fit some sequences together."""
-        chosen = self.chosen(logged)
-        fits = self.fits(chosen, settings)
-        fits = [fit for fit in fits if is_close(fit)] or fits
-        if not fits:
-            return settings
-        demands = [demand(self.replan, fit) for fit in fits]
+        """Return limits that fit some sequences together, beginning with the given ones.
+
+        Those that fit worst are added to the chosen ones, so that each sequence counts that tells something.
+        """
+        used, every = self.chosen(logged), np.arange(len(settings.all))
         known = with_look_ahead(self.known, settings.look_ahead)
-        found = common_limits(self.replan, known, fits, demands)
-        used = [fit.logged for fit in fits]
-        better = refined(self.replan, used, found, felt(self.replan, used, found))
-        return _unfelt_restored(known, better, felt(self.replan, used, better))
+        best = self._begun(used, settings)
+        for _ in range(_GATHERINGS):
+            more = self._worst([one for one in logged if one not in used], best)
+            if not more:
+                break
+            used = [*used, *more]
+            best = refined(self.replan, used, best.settings, every)
+        witnesses = [*used, *(one for one in self.chosen(logged, _MOST_EASED) if one not in used)]
+        whole = Trial(best.settings, fits_under(self.replan, witnesses, best.settings))
+        found, kept = eased(self.replan, known, whole)
+        return refined(self.replan, used, found.settings, kept, _FEW_STEPS).settings
 
-    def fits(self, logged: Sequence[LoggedSequence], settings: MotionSettings) -> list[SequenceFit]:
-        """Return the fit of each motion sequence alone, without sequences on another path."""
-        found = (fit_sequence(self.replan, one, settings, self._groups(one)) for one in logged)
-        return [fit for fit in found if fit and goes_there(fit)]
+    def _begun(self, used: Sequence[LoggedSequence], settings: MotionSettings) -> Trial:
+        """Return the best fit of several beginnings, the most promising one first, until one fits well.
 
-    def chosen(self, logged: Sequence[LoggedSequence]) -> list[LoggedSequence]:
+        They are the given limits, joint limits that PTP moves tell, and the best fit so far with all limits
+        higher: where two limits hold a motion back alike and one of them should be higher, neither has an
+        effect alone upward, and with all of them higher those come down that hold it back.
+        """
+        begins = [Trial(one, fits_under(self.replan, used, one)) for one in self._begins(used, settings)]
+        every, best = np.arange(len(settings.all)), None
+        for begin in sorted(begins, key=lambda trial: trial.error):
+            found = refined(self.replan, used, begin.settings, every)
+            best = found if best is None or found.error < best.error else best
+            if best.left <= _MISFIT:
+                return best
+        assert best is not None
+        higher = best.settings.with_all(_RISE * best.settings.all)
+        return min((best, refined(self.replan, used, higher, every)), key=lambda trial: trial.error)
+
+    def _begins(self, used: Sequence[LoggedSequence], settings: MotionSettings) -> list[MotionSettings]:
+        """Return given limits, and those with joint limits that PTP moves tell, as few as these need."""
+        of_joints = [one for one in used if self._groups(one) == (0,)]
+        if not of_joints:
+            return [settings]
+        least = least_joint_limits(self.replan, of_joints, settings)
+        told, _ = eased(self.replan, settings, Trial(least, fits_under(self.replan, of_joints, least)))
+        return [settings, told.settings]
+
+    def _worst(self, others: Sequence[LoggedSequence], best: Trial) -> list[LoggedSequence]:
+        """Return the sequences that fit worst, where that is worse than those do that were fitted."""
+        usual = max(2.0 * best.left, _WORTH_ADDING)
+        fits = fits_under(self.replan, others, best.settings)
+        wrong = sorted((fit for fit in fits if fit and fit.left > usual), key=lambda fit: -fit.left)
+        return [fit.logged for fit in wrong[:_MORE]]
+
+    def chosen(self, logged: Sequence[LoggedSequence], most: int = _MOST_FITTED) -> list[LoggedSequence]:
         """Return sequences of which limits are fitted: of each line of the program as many as of others."""
         turns: dict[tuple[object, ...], int] = {}
         ranked = []
@@ -100,7 +149,7 @@ class Problem:
             turns[key] = turns.get(key, -1) + 1
             ranked.append((turns[key], one.number, one))
         ranked.sort(key=lambda entry: entry[:2])
-        return sorted((one for _, _, one in ranked[:_MOST_FITTED]), key=lambda one: one.number)
+        return sorted((one for _, _, one in ranked[:most]), key=lambda one: one.number)
 
     def _tell_all(self, free: Sequence[LoggedSequence], bound: Sequence[LoggedSequence]) -> bool:
         """Return whether sequences without look-ahead contain all kinds of paths of the sequences with it."""
@@ -108,35 +157,19 @@ class Problem:
         return groups[0] >= groups[1]
 
     def _tried(
-        self, bound: Sequence[LoggedSequence], free: Sequence[LoggedSequence], among: Sequence[LookAhead]
+        self,
+        few: Sequence[LoggedSequence],
+        among: Sequence[LookAhead],
+        begin: MotionSettings,
+        free: npt.NDArray[np.intp],
     ) -> MotionSettings:
-        """Return the limits that fit best with any look-ahead, on a few sequences."""
-        few = [*bound[:: max(1, len(bound) // _MOST_FOR_LOOK_AHEAD)], *free[:_MOST_FOR_LOOK_AHEAD]]
-        found = [self.limits(few, with_look_ahead(self.known, value)) for value in among]
-        errors = [total_error(fits_under(self.replan, few, one)) for one in found]
-        return found[int(np.argmin(errors))]
+        """Return settings that fit a few sequences best, of fits with each of some look-aheads."""
+        found = [
+            refined(self.replan, few, with_look_ahead(begin, value), free, _FEW_STEPS) for value in among
+        ]
+        return min(found, key=lambda trial: trial.error).settings
 
     def _groups(self, logged: LoggedSequence) -> tuple[int, ...]:
         """Return the groups of limits that a sequence may determine: 0 of the joints, 1 of the tool."""
         kinds = {move.kind == MotionKind.PTP for move in self.orders[logged.number].moves}
         return (0,) if kinds == {True} else (0, 1)
-
-
-def _unfelt_restored(
-    known: MotionSettings, found: MotionSettings, fitted: npt.NDArray[np.intp]
-) -> MotionSettings:
-    """Return the limits that were found; limits that no sequence reaches are not below their known values."""
-    kept = np.isin(np.arange(len(found.all)), fitted)
-    return found.with_all(np.where(kept, found.all, np.maximum(found.all, known.all)))
-
-
-def is_close(fit: SequenceFit) -> bool:
-    """Return whether a sequence was fitted so well that its limits can be read off it."""
-    way = float(np.ptp(fit.logged.q, axis=0).max())
-    return fit.error <= _CLOSE * way + float(fit.logged.noise.max())
-
-
-def goes_there(fit: SequenceFit) -> bool:
-    """Return whether a fitted sequence went the way that is planned."""
-    way = float(np.ptp(fit.logged.q, axis=0).max())
-    return fit.error <= _ANOTHER_WAY * way + 3.0 * float(fit.logged.noise.max())

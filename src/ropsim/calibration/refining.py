@@ -1,4 +1,4 @@
-"""Refining common limits on all sequences at once."""
+"""Limits that fit all motion sequences at once."""
 
 import math
 from collections.abc import Sequence
@@ -8,14 +8,24 @@ import numpy.typing as npt
 
 from ropsim.calibration.limits import MotionSettings
 from ropsim.calibration.logged_sequence import LoggedSequence
-from ropsim.calibration.replanning import Replan, coordinates, speeds
-from ropsim.calibration.sequence_fit import SequenceFit, placed
+from ropsim.calibration.replanning import Replan
+from ropsim.calibration.sequence_fit import SequenceFit, placed, way_of
+from ropsim.calibration.slopes import LimitSlopes
+from ropsim.core import frozen_dataclass
 from ropsim.spatial import Array
 
-_STEP = 0.03
-_ROUNDS = 8
-_LARGEST_STEP = 0.1
-_ENOUGH = 1e-3
+_ROUNDS = 16
+_TRIALS = 5
+_DAMPING = 1e-3
+_MOST_DAMPING = 10.0
+_LARGEST_STEP = 0.4
+"""Change of the logarithm of a limit in one step at most."""
+_ENOUGH = 0.03
+"""Improvement of the squared error below which the steps end."""
+_LEAPS = (0.4, 0.12, 0.04)
+"""Changes of the logarithm of a single limit that are tried where steps of all together do not help."""
+FITS_WELL = 4e-5
+"""Share of its way by which a sequence may be elsewhere for nothing to be left to fit."""
 _ROUNDED = 1.0 / math.sqrt(12.0)
 """Standard deviation of rounding, in steps."""
 _AT_ROUNDING = 1.5
@@ -26,89 +36,153 @@ _NO_EFFECT = 1e-9
 """Share of the largest effect that is none."""
 
 
+@frozen_dataclass
+class Trial:
+    """Settings with the motions under them.
+
+    Attributes:
+        settings: limits and look-ahead.
+        fits: of the sequences; None where one has no motion.
+    """
+
+    settings: MotionSettings
+    fits: tuple[SequenceFit | None, ...]
+
+    @property
+    def error(self) -> float:
+        """Return the sum of the squared shares, infinite where a sequence has no motion."""
+        return total_error(self.fits)
+
+    @property
+    def left(self) -> float:
+        """Return the share that is left beside noise, root of the mean square over the sequences."""
+        return math.sqrt(sum(fit.left**2 if fit else np.inf for fit in self.fits) / max(len(self.fits), 1))
+
+    @property
+    def is_good(self) -> bool:
+        """Return whether nothing is left to fit."""
+        return self.left <= FITS_WELL
+
+
 def fits_under(
     replan: Replan, logged: Sequence[LoggedSequence], settings: MotionSettings
-) -> list[SequenceFit | None]:
+) -> tuple[SequenceFit | None, ...]:
     """Return the motions of sequences under settings, each when it fits best; None where there is none."""
     motions = [replan(one.number, settings) for one in logged]
-    return [
+    return tuple(
         placed(one, settings, motion) if motion is not None and motion.ticks > 1 else None
         for one, motion in zip(logged, motions, strict=True)
-    ]
+    )
 
 
 def total_error(fits: Sequence[SequenceFit | None]) -> float:
-    """Return the sum of the squares of the errors, infinite where a sequence has no motion [rad² | m²]."""
-    return sum(fit.error**2 if fit else np.inf for fit in fits)
+    """Return the sum of the squared shares, infinite where a sequence has no motion."""
+    return sum(fit.share**2 if fit else np.inf for fit in fits)
 
 
 def refined(
-    replan: Replan, logged: Sequence[LoggedSequence], settings: MotionSettings, free: npt.NDArray[np.intp]
-) -> MotionSettings:
-    """Return settings whose free limits fit all sequences together better.
+    replan: Replan,
+    logged: Sequence[LoggedSequence],
+    settings: MotionSettings,
+    free: npt.NDArray[np.intp],
+    rounds: int = _ROUNDS,
+) -> Trial:
+    """Return settings whose free limits fit all sequences together, with the motions under them.
 
-    Gauss-Newton on the logarithms of the limits; the start of each sequence is eliminated (Golub & Pereyra
-    1973).
+    Levenberg-Marquardt (Marquardt 1963) on the logarithms of the limits. A limit that a motion just reaches
+    acts only downward, so each has the slope of the side to which it goes. Where no common step helps, single
+    limits are tried farther away: limits that nothing reaches have no slope.
 
     Args:
         replan: plans the sequences.
         logged: the sequences.
-        settings: near the best ones.
+        settings: to begin with.
         free: numbers of the limits that may change, in the order of `all`, shape (m,).
+        rounds: steps at most.
     """
-    fits = fits_under(replan, logged, settings)
-    error = total_error(fits)
-    for _ in range(_ROUNDS if len(free) and np.isfinite(error) else 0):
-        step = _step(replan, [fit for fit in fits if fit], settings, free)
-        improved = False
-        for share in (1.0, 0.5, 0.25, 0.1):
-            changed = settings.all
-            changed[free] *= np.exp(np.clip(share * step, -_LARGEST_STEP, _LARGEST_STEP))
-            trial = settings.with_all(changed)
-            found = fits_under(replan, logged, trial)
-            if (less := total_error(found)) < error:
-                improved = less < (1.0 - _ENOUGH) * error
-                settings, fits, error = trial, found, less
-                break
-        if not improved:
+    best = Trial(settings, fits_under(replan, logged, settings))
+    damping, leaps = _DAMPING, list(_LEAPS)
+    for _ in range(rounds if len(free) and logged and np.isfinite(best.error) else 0):
+        if best.is_good:
             break
-    return settings
+        before = best.error
+        found, damping = _stepped(replan, logged, best, free, damping)
+        if found.error > (1.0 - _ENOUGH) * before and leaps:
+            found = _leapt(replan, logged, found, free, leaps.pop(0))
+            damping = _DAMPING
+        best = found
+        if best.error > (1.0 - _ENOUGH) * before and not leaps:
+            break
+    return best
 
 
-def _step(
-    replan: Replan, fits: Sequence[SequenceFit], settings: MotionSettings, free: npt.NDArray[np.intp]
-) -> Array:
-    A, b = np.zeros((len(free), len(free))), np.zeros(len(free))
-    for fit in fits:
-        columns, wrong = _slopes(replan, fit, settings, free)
-        A += columns.T @ columns / len(wrong)
-        b += columns.T @ wrong / len(wrong)
-    size = np.diag(A).copy()
-    ridge = np.diag(1e-3 * size + 1e-9 * float(size.max(initial=0.0)) + 1e-300)
-    return np.asarray(np.linalg.solve(A + ridge, b))
+def _stepped(
+    replan: Replan,
+    logged: Sequence[LoggedSequence],
+    best: Trial,
+    free: npt.NDArray[np.intp],
+    damping: float,
+) -> tuple[Trial, float]:
+    """Return a better trial by a step of all limits, the same one where there is none, and the damping."""
+    slopes = LimitSlopes(replan, [fit for fit in best.fits if fit], free)
+    for _ in range(_TRIALS):
+        step = np.clip(_step(slopes, damping), -_LARGEST_STEP, _LARGEST_STEP)
+        limits = best.settings.all
+        limits[free] *= np.exp(step)
+        trial = _tried(replan, logged, best.settings.with_all(limits))
+        if trial.error < best.error:
+            return trial, max(damping / 6.0, 1e-7)
+        if damping > _MOST_DAMPING:
+            break
+        damping = max(damping * 12.0, 1e-5)
+    return best, damping
 
 
-def _slopes(
-    replan: Replan, fit: SequenceFit, settings: MotionSettings, free: npt.NDArray[np.intp]
-) -> tuple[Array, Array]:
-    """Return how the joints of a sequence change with the logarithms of limits, its start aside.
+def _step(slopes: LimitSlopes, damping: float) -> Array:
+    """Return the change of the logarithms of limits, each by the slope of the side to which it goes."""
+    size = (slopes.down**2).sum(axis=0)
+    ridge = np.diag(damping * size + 1e-9 * float(size.max(initial=0.0)) + 1e-300)
+    rises = np.zeros(len(size), dtype=np.bool_)
+    step = np.zeros(len(size))
+    for _ in range(4):
+        J = np.where(rises, slopes.up, slopes.down)
+        step = np.linalg.solve(J.T @ J + ridge, J.T @ slopes.wrong)
+        if bool(((step > 0.0) == rises).all()):
+            break
+        rises = step > 0.0
+        slopes.rise(np.flatnonzero(rises))
+    return step
 
-    Returns:
-        [rad | m], shape (k, m), and the present error, shape (k,), for all samples of all axes.
-    """
-    times = fit.logged.time - fit.start
-    here, late = coordinates(fit.motion, times).ravel(), speeds(fit.motion, times).ravel()
-    columns = np.zeros((len(here), len(free)))
-    for column, number in enumerate(free.tolist()):
-        lower = settings.all
-        lower[number] *= np.exp(-_STEP)
-        motion = replan(fit.logged.number, settings.with_all(lower))
-        if motion is not None:
-            columns[:, column] = (coordinates(motion, times).ravel() - here) / -_STEP
-    weight = float(late @ late)
-    if weight > 0.0:
-        columns -= np.outer(late, late @ columns) / weight
-    return columns, fit.logged.q.ravel() - here
+
+def _leapt(
+    replan: Replan, logged: Sequence[LoggedSequence], best: Trial, free: npt.NDArray[np.intp], leap: float
+) -> Trial:
+    """Return the best trial with each limit in turn lower or higher by a leap, where that helps."""
+    for limit in free.tolist():
+        for way in (-leap, leap):
+            limits = best.settings.all
+            limits[limit] *= math.exp(way)
+            trial = _tried(replan, logged, best.settings.with_all(limits), best)
+            if trial.error < best.error:
+                best = trial
+                break
+    return best
+
+
+def _tried(
+    replan: Replan, logged: Sequence[LoggedSequence], settings: MotionSettings, best: Trial | None = None
+) -> Trial:
+    """Return a trial; it ends early where it is worse than another one."""
+    if best is None:
+        return Trial(settings, fits_under(replan, logged, settings))
+    fits: list[SequenceFit | None] = []
+    most = best.error
+    for one in logged:
+        fits += fits_under(replan, [one], settings)
+        if total_error(fits) > most:
+            break
+    fits += [None] * (len(logged) - len(fits))
+    return Trial(settings, tuple(fits))
 
 
 def spreads(
@@ -132,7 +206,7 @@ def spreads(
     typical = math.sqrt(sum(fit.error**2 for fit in fits) / max(len(fits), 1))
     A = np.zeros((len(free), len(free)))
     for fit in fits:
-        columns, _ = _slopes(replan, fit, settings, free)
+        columns = LimitSlopes(replan, [fit], free).down * (way_of(fit.logged) * math.sqrt(fit.logged.q.size))
         rounding = _ROUNDED * float(fit.logged.noise.max())
         error = max(fit.error, typical, rounding)
         alike = min(len(columns), _ROUNDED_ALIKE) if error <= _AT_ROUNDING * rounding else len(columns)

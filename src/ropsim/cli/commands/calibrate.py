@@ -72,7 +72,17 @@ def calibration_entry(calibration: Calibration) -> dict[str, object]:
             "before": calibration.time_before,
             "after": calibration.time_after,
         },
-        "remaining": {"rms": calibration.remaining, "worst": calibration.worst.remaining},
+        "trace": {
+            "whole": calibration.trace_time.whole,
+            "compared": calibration.trace_time.compared,
+            "at_rest": calibration.trace_time.at_rest,
+            "not_compared": calibration.trace_time.not_compared,
+        },
+        "remaining": {
+            "rms": calibration.remaining,
+            "worst": calibration.worst.remaining,
+            "in_all": calibration.in_all,
+        },
         "joint_error": calibration.error,
         "look_ahead": {
             "before": calibration.before.look_ahead.moves,

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from itertools import groupby
 from textwrap import wrap
 
-from ropsim.calibration import Calibration, Knowledge, SequenceTimes
+from ropsim.calibration import Calibration, Knowledge, SequenceTimes, TraceTime
 from ropsim.core import plural
 from ropsim.model import JointType
 from ropsim.views import Style, TableCell, Tone, columns_text
@@ -93,9 +93,22 @@ def _totals(calibration: Calibration, axes: Sequence[JointType]) -> list[str]:
         f"in motion    logged {calibration.logged:.3f} s, before {calibration.time_before:.3f} s, "
         f"after {calibration.time_after:.3f} s; {compared} compared",
         f"error left   {calibration.remaining * 100.0:.2f} % of the time of a motion (RMS), "
-        f"largest {_percent(worst.remaining)} % ({_name(worst)} pass {worst.visit})",
+        f"largest {_percent(worst.remaining)} % ({_name(worst)} pass {worst.visit}), "
+        f"in all {_percent(calibration.in_all)} %",
+        _trace_line(calibration.trace_time),
         f"joints       {calibration.error * factor:.2g} {unit} from the trace at equal times (RMS){without}",
     ]
+
+
+def _trace_line(time: TraceTime) -> str:
+    """Return what the time of the trace went into: what is not compared has its share."""
+    parts = (
+        ("motions compared", time.compared),
+        ("at rest", time.at_rest),
+        ("not compared", time.not_compared),
+    )
+    shares = ", ".join(f"{100.0 * part / time.whole:.1f} % {name}" for name, part in parts)
+    return f"trace        {time.whole:.3f} s: {shares}"
 
 
 def _limits(calibration: Calibration, axes: Sequence[JointType], style: Style) -> list[str]:
