@@ -21,8 +21,10 @@ from ropsim.flow import (
     Origin,
     OutputEvent,
     OverrideChange,
+    ReachedSpeed,
     Recording,
     RunFacts,
+    SpeedCause,
     StationFacts,
 )
 from ropsim.records import RecordingFileError, read_recording, recording_bytes
@@ -102,6 +104,17 @@ FIELDS: dict[str, st.SearchStrategy[object]] = {
     "origin": ORIGINS,
     "motion": st.sampled_from(MotionKind) | TEXTS,
     "critical": st.none() | st.builds(CriticalLimit, TEXTS, st.sampled_from(LimitQuantity), NUMBERS),
+    "reached": st.none()
+    | st.builds(
+        ReachedSpeed,
+        *[NUMBERS] * 4,
+        st.sampled_from(SpeedCause),
+        NUMBERS,
+        NUMBERS,
+        TEXTS,
+        st.none() | st.sampled_from(LimitQuantity),
+        TEXTS,
+    ),
     "looked": st.lists(TEXTS, max_size=2).map(tuple),
     "path_error_max": st.none() | NUMBERS,
     "target": st.lists(NUMBERS, max_size=3).map(tuple),

@@ -15,6 +15,7 @@ from support.examples import examples
 BOUNDS = 1e-12  # relative; what bounds may be exceeded by
 ROUNDING = 1e-9  # relative; polynomials of third degree from rounded times
 SAME_TIME = 1e-9  # relative; both are closed forms, ruckig states 1e-8 s for its own tests
+GREEDY = 0.23  # relative; by so much `plan_time_law` is slower than need be at most, as it says
 NEAR = 1e-2  # relative; a rise is as steep as it can be, which now and then is too early by so much
 STEPS = 1e-2  # relative; a motion is levelled off in steps
 SPARE = 1e-6  # relative; a way longer by so much than needed is one that ruckig takes without stepping back
@@ -275,7 +276,7 @@ def test_the_motion_can_stop_on_what_is_known(way: list[Interval], data: st.Data
         known = way[i + 1 : ahead[i] + 1]
         top, left = _levelled(v, a, known) if known else (v, known)
         assert _can_stop(top * (1.0 - STEPS), left) or v <= ROUNDING * way[i].speed
-    assert law.duration >= plan_time_law(way).duration * (1.0 - NEAR)
+    assert law.duration >= plan_time_law(way).duration / (1.0 + GREEDY)
 
 
 @settings(max_examples=examples(100), derandomize=True)

@@ -94,7 +94,7 @@ class Problem:
         """
         used, every = self.chosen(logged), np.arange(len(settings.all))
         known = with_look_ahead(self.known, settings.look_ahead)
-        best = self._begun(used, settings)
+        best = self._started(used, settings)
         for _ in range(_GATHERINGS):
             more = self._worst([one for one in logged if one not in used], best)
             if not more:
@@ -106,7 +106,7 @@ class Problem:
         found, kept = eased(self.replan, known, whole)
         return refined(self.replan, used, found.settings, kept, _FEW_STEPS).settings
 
-    def _begun(self, used: Sequence[LoggedSequence], settings: MotionSettings) -> Trial:
+    def _started(self, used: Sequence[LoggedSequence], settings: MotionSettings) -> Trial:
         """Return the best fit of several beginnings, the most promising one first, until one fits well.
 
         They are the given limits, joint limits that PTP moves tell, and the best fit so far with all limits

@@ -107,7 +107,7 @@ def _path_segments(
             frame = along.frame if along else None
             path_segments += (
                 _path_segment(tool, path_segment.X_MT, begin, end, frame)
-                for tool, begin, end in _pieces(path_segment, first, last, lasts)
+                for tool, begin, end in _by_moves(path_segment, first, last, lasts)
             )
             if path_segment.blend is not None:
                 blends.append((first, last))
@@ -118,7 +118,7 @@ def _path_segments(
     return tuple(path_segments), tuple(sorted(blends))
 
 
-def _pieces(
+def _by_moves(
     path_segment: PathSegment, first: int, last: int, lasts: Sequence[int]
 ) -> Iterator[tuple[ToolPath | None, int, int]]:
     """Yield the path of the tool of a segment in pieces of some moves, each with its ticks.

@@ -158,8 +158,10 @@ def test_too_little_clearance_is_a_warning_with_distance_and_requirement(
     near = [one for one in document["diagnostics"] if one["code"] == "S770"]
     assert {one["severity"] for one in near} == {"warning"}
     nearest = min(near, key=lambda one: one["data"]["distance_m"])
-    words = rf"{1e3 * least:.1f} mm of the required [0-9.]+ mm, line {nearest['span']['line']}"
-    assert re.fullmatch(rf"clearance link\d – post, {words}", nearest["message"])
+    words = rf"([0-9.]+) mm of the required [0-9.]+ mm, line {nearest['span']['line']}"
+    said = re.fullmatch(rf"clearance link\d – post, {words}", nearest["message"])
+    assert said
+    assert float(said[1]) == pytest.approx(1e3 * least, abs=0.051)
     assert document["result"]["verdict"]["kind"] == "doubtful"
     enough = BELOW.replace('name = "c"', f'name = "c"\nclearance = {1e3 * least - 0.1:.3f}')
     document, _ = told(tmp_path, enough, 0, capsys)

@@ -24,7 +24,7 @@ CELL: Cell = one_station(
     ("place", "says"),
     [
         ("300 before end", "300 mm before the end, the move is 10 mm long: it is set at its start"),
-        ("12.5 s after start", "12.5 s after the start, the move is 0.248 s long: it is set at its end"),
+        ("12.5 s after start", "12.5 s after the start, the move is 0.246 s long: it is set at its end"),
     ],
 )
 def test_a_place_beside_the_way_is_told_in_its_unit(place: str, says: str) -> None:

@@ -71,7 +71,9 @@ def tool_cause(
         lost[SpeedCause.ACCELERATION], lost[SpeedCause.JERK] = ramps, 0.0
     cause = max(lost, key=lost.__getitem__)
     if cause is SpeedCause.ZONE and span.blends:
-        return cause, *_corner(min(span.blends, key=lambda one: _speed_in(one, rows, section)))
+        blend = min(span.blends, key=lambda one: _speed_in(one, rows, section)).blend
+        assert blend is not None
+        return cause, blend.zone, blend.turn
     return cause, _value(cause, span, limits), 0.0
 
 
@@ -128,16 +130,6 @@ def _least_radius(span: Span) -> float:
             rows = tool.tool(begin + _SHARES * (end - begin))
             most = max(most, float(np.linalg.norm(rows.d2[:, :3], axis=1).max()))
     return 1.0 / most if most > 0.0 else math.inf
-
-
-def _corner(path_segment: PathSegment) -> tuple[float, float]:
-    """Return the zone of a blend [m], and the angle by which the way of the TCP turns in it [rad]."""
-    tool, blend = path_segment.tool, path_segment.blend
-    assert tool is not None
-    assert blend is not None
-    one, other = tool.tool(np.array([0.0, tool.length])).d1[:, :3]
-    angle = math.atan2(float(np.linalg.norm(np.cross(one, other))), float(one @ other))
-    return blend.zone, angle
 
 
 def turn_of(span: Span) -> float:

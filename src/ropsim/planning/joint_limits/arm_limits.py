@@ -22,7 +22,7 @@ from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.wording import passes, rate
 from ropsim.spatial import record
 
-WORTH_SAYING = 0.85
+WORTH_SAYING = 0.8
 """Share of the planned speed above which slowing is not reported: it costs almost no time."""
 
 _WORDS = {

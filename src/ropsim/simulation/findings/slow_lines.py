@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from ropsim.core import Diagnostic, Span
 from ropsim.flow import MoveEvent, ReachedSpeed, SpeedCause
 from ropsim.motion import SINGULARITY_HINTS
-from ropsim.simulation.diagnostics.speed_diagnostics import SLOWER_THAN_PROGRAMMED
+from ropsim.simulation.diagnostics.limit_diagnostics import SLOWER_THAN_PROGRAMMED
 from ropsim.simulation.findings.finished_station import FinishedStation
 
 LEAST, SHARE = 0.1, 0.02
