@@ -125,8 +125,8 @@ class Problem:
                 return best
         assert best is not None
         higher = best.settings.with_all(_RISE * best.settings.all)
-        for begin in (higher, best.settings.scaled(np.ones(3), _OTHER_RAMPS)):
-            best = min((best, refined(self.replan, used, begin, every)), key=lambda trial: trial.error)
+        for one in (higher, best.settings.scaled(np.ones(3), _OTHER_RAMPS)):
+            best = min((best, refined(self.replan, used, one, every)), key=lambda trial: trial.error)
             if best.left <= _MISFIT:
                 break
         return best
