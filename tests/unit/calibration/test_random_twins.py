@@ -5,10 +5,10 @@ import pytest
 
 from support.twins import calibrated_twin, errors, known_settings, random_site, twin
 
-OF_CHAINS = 0.03
+OF_CHAINS, WITH_NOISE = 0.03, 0.06
 IN_ALL = 0.01
 HELD_OUT = 0.03
-"""Shares of time."""
+"""Shares of time; of chains that are logged at times wrong by up to 2 ms, twice as much."""
 
 
 @pytest.mark.slow
@@ -21,7 +21,7 @@ def test_times_of_a_twin_with_unknown_limits_come_out(seed: int, tick: float) ->
     found = calibrated_twin(made, true, random, tick)
     own = errors(made, true, found.after)
     assert own.is_chain.any()
-    assert own.of_chains <= OF_CHAINS
+    assert own.of_chains <= (WITH_NOISE if tick else OF_CHAINS)
     assert abs(own.in_all) <= IN_ALL
     assert found.left_out == ()
     assert abs(found.in_all) <= IN_ALL
