@@ -27,6 +27,10 @@ _BY_JOINTS = 0.5
 """Share of the time lost from which on joints are the cause."""
 
 
+_TimedSpan = tuple[TimedSection, Span, tuple[float, float]]
+"""A move on its section, and the times from the start of that on at which it begins and ends [s]."""
+
+
 @record
 class _Slow:
     """A move that is slow, on its section as it is flown.
@@ -68,14 +72,13 @@ def reached_speeds(
     slow_moves = list(_slow(moves, retiming.timing, retimed, rules))
     if not slow_moves:
         return {}
-    before = {one.move_number: (section, one) for section, spans in _spans(by_tool) for one in spans}
+    before = {one.move_number: (section, one, times) for section, one, times in _timed_spans(by_tool)}
     found, free = {}, _times_with_all_known(by_tool, rules)
     for slow in slow_moves:
         number = slow.span.move_number
         limits = moves[number].planned.limits.tool
         figures = _top(slow, retimed, limits), slow.span.length, turn_of(slow.span), slow.lost
-        section, span = before.get(number, (slow.section, slow.span))
-        begin, end = times_at(section, np.array([span.start, span.end])).tolist()
+        section, span, (begin, end) = before.get(number) or _timed(slow.section, (slow.span,))[0]
         joint = _slowest(slow, retiming.slowed)
         if free.get(number, end - begin) < SLOW * (end - begin):
             found[number] = ReachedSpeed(*figures, SpeedCause.LOOK_AHEAD)
@@ -104,12 +107,8 @@ def _times_with_all_known(by_tool: Timing, rules: TimingRules) -> dict[int, floa
         else part
         for part in (section.part for section in by_tool.sections)
     ]
-    found = {}
-    for section, spans in _spans(timing_of(parts, moves)):
-        for span in spans:
-            begin, end = times_at(section, np.array([span.start, span.end])).tolist()
-            found[span.move_number] = end - begin
-    return found
+    timed = _timed_spans(timing_of(parts, moves))
+    return {span.move_number: end - begin for _, span, (begin, end) in timed}
 
 
 def singularity_at(retiming: Retiming, part: Slowed, robot: RobotModel) -> str:
@@ -130,6 +129,18 @@ def _spans(timing: Timing) -> Iterator[tuple[TimedSection, tuple[Span, ...]]]:
     for section in timing.sections:
         if spans := tuple(spans_of(section)):
             yield section, spans
+
+
+def _timed_spans(timing: Timing) -> Iterator[_TimedSpan]:
+    """Yield the moves along paths of the tool, with their times on their sections."""
+    for section, spans in _spans(timing):
+        yield from _timed(section, spans)
+
+
+def _timed(section: TimedSection, spans: Sequence[Span]) -> list[_TimedSpan]:
+    """Return moves of a section with the times from its start on at which they begin and end [s]."""
+    at = times_at(section, np.array([(one.start, one.end) for one in spans]).ravel()).tolist()
+    return [(section, span, (begin, end)) for span, begin, end in zip(spans, at[::2], at[1::2], strict=True)]
 
 
 def _slow(
