@@ -98,7 +98,10 @@ MOTIONS: dict[str, Word] = {
         "track SIGNAL = value [along z] [gain k]",
         "Shifts the path along an axis of the tool so that a sensor reads the value.",
     ),
-    "along": Word("track SIGNAL = value along [-]x|y|z", "Where the tool goes if the sensor reads too much."),
+    "along": Word(
+        "lin|spline|mov along LIST, track SIGNAL = value along [-]x|y|z",
+        "Through all points of a list; behind `track`: where the tool goes if the sensor reads too much.",
+    ),
     "gain": Word("track SIGNAL = value gain k", "Speed of the correction for each unit of the difference."),
     "at": Word(
         "at d after start|before end do set OUTPUT on", "Sets an output on the way, after a way or time."

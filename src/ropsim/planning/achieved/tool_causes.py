@@ -96,14 +96,15 @@ def _cause(
         return SpeedCause.TURN_SPEED
     if path_segment.blend is not None:
         return SpeedCause.ZONE
-    if constant_derivatives(tool) is None:
-        return SpeedCause.BEND
     turns = (
         turning * most_acceleration >= _REACHED * limits.orientation_acceleration
         or turning * most_jerk >= _REACHED * limits.orientation_jerk
     )
     if turns:
         return SpeedCause.TURN_ACCELERATION
+    bounds = (most_speed, limits.speed), (most_acceleration, limits.acceleration), (most_jerk, limits.jerk)
+    if constant_derivatives(tool) is None and any(most < _REACHED * limit for most, limit in bounds):
+        return SpeedCause.BEND
     if path_segment.coordination is not None and (is_fastest or most_jerk < _REACHED * limits.jerk):
         return SpeedCause.EXTERNAL
     return SpeedCause.ACCELERATION if abs(acceleration) >= _REACHED * most_acceleration else SpeedCause.JERK

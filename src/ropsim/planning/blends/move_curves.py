@@ -20,6 +20,8 @@ from ropsim.planning.records.wording import passes
 
 _LEAST_TURN = 1e-6
 """Angles below are not worth saying [rad]."""
+_LEAST_SAID = 1e-6
+"""Least distance that is said [m]: below it is rounding."""
 
 
 _SURELY_QUICKER = 10
@@ -95,7 +97,9 @@ def _as_curves(move: PlannedMove, lines: int, curves: Sequence[MoveCurve]) -> Di
     flown, deviation = sum(curve.moves for curve in curves), max(curve.deviation for curve in curves)
     turn, origin = max(curve.turn for curve in curves), move.move.origin
     how = "one curve" if len(curves) == 1 else f"{len(curves)} curves"
-    off = f"{deviation * 1e3:.2g} mm" + (f" and {math.degrees(turn):.2g}°" if turn > _LEAST_TURN else "")
+    off = f"{max(deviation, _LEAST_SAID) * 1e3:.2g} mm" + (
+        f" and {math.degrees(turn):.2g}°" if turn > _LEAST_TURN else ""
+    )
     return LINES_AS_CURVE.at(
         origin.span,
         f"{flown} of the {lines} lines from here on are flown as {how}, at most {off} from them",

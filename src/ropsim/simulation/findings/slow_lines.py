@@ -97,7 +97,7 @@ def _of_chains(chains: Sequence[Sequence[_Slow]]) -> Diagnostic:
         f"a chain of {lines} lines begins here that is flown at {way / time * 1e3:.0f} of "
         f"{given * 1e3:.0f} mm/s, in moves of {_millimetres(way / len(longest))}: {_why(reached)}; "
         f"that costs {total:.2f} s{others}",
-        hint=_HINTS[cause],
+        hint=SINGULARITY_HINTS.get(reached.singularity, _HINTS[cause]),
         data={**_data(worst, reached, given, total), "lines": lines, "chains": len(chains)},
     )
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ropsim.flow import ModalState
+from ropsim.flow import ModalState, SpeedCause
 from ropsim.kinematics import forward_batch
 from ropsim.model import LookAhead
 from ropsim.planning import MotionPlan, MotionState, plan
@@ -224,3 +224,14 @@ def test_a_long_curve_is_planned_in_pieces_on_which_its_references_lie() -> None
         assert piece.path.distance(here).max() < 1e-7
         before = piece.last
     assert before == done.ticks
+
+
+def test_a_straight_chain_that_becomes_a_curve_is_not_called_bent() -> None:
+    side = np.arange(0.0, 0.0501, 0.005)
+    one = np.column_stack((np.full(len(side), 0.36), -0.05 + side, np.full(len(side), 0.45)))
+    other = np.column_stack((0.36 + side[1:], np.zeros(len(side) - 1), np.full(len(side) - 1, 0.45)))
+    done = flown(IRB, np.concatenate((one, other)), 0.002, 0.4)
+    slow = [move.reached for move in done.moves if move.reached]
+    assert curves(done)
+    assert slow
+    assert all(reached.cause is not SpeedCause.BEND for reached in slow), {one.cause for one in slow}
