@@ -18,10 +18,8 @@ from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.motion_chain import MotionChain
 from ropsim.planning.records.wording import passes
 
-_LEAST_TURN = 1e-6
-"""Angles below are not worth saying [rad]."""
 _LEAST_SAID = 1e-6
-"""Least distance that is said [m]: below it is rounding."""
+"""Distances [m] and angles [rad] below are not worth saying: on straight lines they are rounding."""
 
 
 _SURELY_QUICKER = 10
@@ -44,7 +42,7 @@ def with_curves(chain: MotionChain, moves: Sequence[PlannedMove]) -> list[Planne
     """Return moves of which chains of short lines are on curves that take the place of their paths.
 
     A curve that the joints cannot follow is left out: its moves keep their own paths. The first move of a
-    chain says how far its curves are from the lines.
+    chain says how far its curves are from the lines, unless they are on them.
 
     Args:
         chain: the entities.
@@ -68,7 +66,7 @@ def with_curves(chain: MotionChain, moves: Sequence[PlannedMove]) -> list[Planne
                 curves.append(curve)
                 for index, number in enumerate(range(*span)):
                     found[number] = replace(moves[number], on_curve=OnCurve(curve, index))
-        if curves:
+        if any(max(curve.deviation, curve.turn) > _LEAST_SAID for curve in curves):
             move = found[first]
             found[first] = replace(move, findings=(*move.findings, _as_curves(move, last - first, curves)))
     return found
@@ -97,12 +95,12 @@ def _as_curves(move: PlannedMove, lines: int, curves: Sequence[MoveCurve]) -> Di
     flown, deviation = sum(curve.moves for curve in curves), max(curve.deviation for curve in curves)
     turn, origin = max(curve.turn for curve in curves), move.move.origin
     how = "one curve" if len(curves) == 1 else f"{len(curves)} curves"
-    off = f"{max(deviation, _LEAST_SAID) * 1e3:.2g} mm" + (
-        f" and {math.degrees(turn):.2g}°" if turn > _LEAST_TURN else ""
-    )
+    angle = f" and {math.degrees(turn):.2g}°" if turn > _LEAST_SAID else ""
+    off = f"{max(deviation, _LEAST_SAID) * 1e3:.2g} mm{angle}"
+    corners = "; corners between the curves keep their zones" if len(curves) > 1 else ""
     return LINES_AS_CURVE.at(
         origin.span,
-        f"{flown} of the {lines} lines from here on are flown as {how}, at most {off} from them",
+        f"{flown} of the {lines} lines from here on are flown as {how}, at most {off} from them{corners}",
         label=passes(origin),
         hint="give smaller zones where the tool has to be nearer to the points",
         data={
