@@ -137,6 +137,12 @@ def test_a_comma_and_a_point_in_one_number_are_refused() -> None:
     assert found.message == "`1.234,5` has a comma and a point"
 
 
+def test_two_decimal_signs_in_one_list_are_refused() -> None:
+    """A point among decimal commas may stand between thousands: 1.300 is 1300 there."""
+    (found,) = wrong("x;y;z\nmm;mm;mm\n300,5;0;300\n1.300;5,5;300\n")
+    assert found.message == "`1.300` has a `.`, numbers before it have a `,`"
+
+
 def test_two_points_of_one_name_are_warned_about_and_the_first_one_has_it() -> None:
     found, findings = points_of(SourceText("points/l.csv", f"{HEAD}a,1,2,3\nb,1,2,3\na,4,5,6\n"), "l")
     assert [one.code for one in findings] == ["P162"]

@@ -96,6 +96,7 @@ class _Reader:
         self.points: list[tuple[str, Coordinates]] = []
         self.lines: list[int] = []
         self.numbers: dict[str, int] = {}
+        self._decimal_sign = ""
         self._wrong = 0
 
     def columns(self) -> _Columns | None:
@@ -155,6 +156,14 @@ class _Reader:
         self.points.append((name or str(len(self.points) + 1), typed_point(values)))
         self.lines.append(number)
 
+    def _check_sign(self, cell: str, index: int) -> None:
+        """Refuse a number with another decimal sign than those before it: it may be one between thousands."""
+        sign = "," if "," in cell else "." if "." in cell else ""
+        if sign and self._decimal_sign and sign != self._decimal_sign:
+            message = f"`{shown(cell)}` has a `{sign}`, numbers before it have a `{self._decimal_sign}`"
+            raise CellError(index, message, "use one decimal sign, and none between thousands")
+        self._decimal_sign = sign or self._decimal_sign
+
     def _values(self, cells: Sequence[str], columns: _Columns) -> Numbers:
         """Return the numbers of a point [mm, deg]: angles at its end may be left empty."""
         places = columns.quantities
@@ -165,7 +174,9 @@ class _Reader:
             raise CellError(places[4][0], "pitch and roll stand together", "give both, or leave both empty")
         found = []
         for index, scale in places[:given]:
-            value = number_of(_cell(cells, index), index, self.separator) * scale
+            cell = _cell(cells, index)
+            value = number_of(cell, index, self.separator) * scale
+            self._check_sign(cell, index)
             if abs(value) > FARTHEST:
                 message = (
                     f"`{shown(cells[index])}` is too large, at most {FARTHEST:g} mm or degrees are allowed"

@@ -158,13 +158,14 @@ def test_without_look_ahead_there_is_no_curve() -> None:
     "change",
     [
         pytest.param({"path_speed": 0.2}, id="another speed"),
+        pytest.param({"X_MT": Pose(np.array((0.0, 0.0, 0.03)))}, id="another tool"),
         pytest.param({"zone": 0.0}, id="fine"),
     ],
 )
 def test_a_chain_ends_where_its_moves_differ(change: dict[str, Any]) -> None:
     points = wave(0.0025, 40)
     moves = list(lines(points, 0.001, 0.3))
-    behind = moves[20:] if "path_speed" in change else moves[19:20]
+    behind = moves[19:20] if "zone" in change else moves[20:]
     for number, move in enumerate(moves):
         if any(move is one for one in behind):
             moves[number] = replace(move, modal=replace(move.modal, **change))
@@ -175,7 +176,7 @@ def test_a_chain_ends_where_its_moves_differ(change: dict[str, Any]) -> None:
     assert [said["lines"] for said in curves(done)] == [20, 20]
     places = positions_of(IRB, done)
     off = float(np.linalg.norm(places - points[20], axis=1).min())
-    assert off < 1e-9 if change.get("zone") == 0.0 else off < 1e-4
+    assert off < {"zone": 1e-9, "path_speed": 1e-4, "X_MT": 2e-3}[next(iter(change))]
 
 
 @pytest.mark.parametrize("twice", [0, 7])
@@ -234,3 +235,17 @@ def test_a_straight_chain_that_becomes_a_curve_is_not_called_bent() -> None:
     assert not curves(done)
     assert slow
     assert all(reached.cause is not SpeedCause.BEND for reached in slow), {one.cause for one in slow}
+
+
+def test_the_deviation_is_that_of_the_curve_which_is_farthest_off() -> None:
+    """Of two arcs with a corner between, the tighter one counts."""
+    tight, wide = np.linspace(0.0, 1.5, 16), np.linspace(0.0, 0.3, 16)[1:]
+    one = np.column_stack((0.015 * (1.0 - np.cos(tight)), 0.015 * np.sin(tight)))
+    other = one[-1] + np.column_stack((0.1 * (1.0 - np.cos(wide)), -0.1 * np.sin(wide)))
+    points = np.column_stack((np.concatenate((one, other)) + np.array((0.36, 0.0)), np.full(31, 0.45)))
+    done = flown(IRB, points, 0.0005, 0.05)
+    (said,) = curves(done)
+    assert said["curves"] == 2
+    places = positions_of(IRB, done)
+    beside = np.linalg.norm(places - points[15], axis=1) > 0.0005
+    assert distances(places[beside], points).max() <= said["deviation_m"] + 1e-8

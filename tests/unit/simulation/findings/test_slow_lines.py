@@ -157,3 +157,10 @@ def test_a_short_approach_to_a_stop_is_quiet_and_a_tight_arc_is_not() -> None:
     assert arc.reached is not None
     assert arc.reached.cause is SpeedCause.BEND
     assert arc.reached.top < 0.9 * 0.9
+
+
+@pytest.mark.parametrize("cause", SpeedCause)
+def test_every_cause_has_words_and_help(cause: SpeedCause) -> None:
+    (one,) = found(move(7, replace(SLOW, cause=cause)))
+    assert one.message
+    assert one.hint
