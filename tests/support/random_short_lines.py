@@ -55,7 +55,7 @@ def random_short_lines(
         for line, (point, zone) in enumerate(zip(points[1:], zones.tolist(), strict=True), 1)
     ]
     controller = robots.default_controller(robot)
-    own = robots.joint_path_limits(robot)
+    own = robots.path_limits_of_joints(robot)
     if own and rng.random() < 0.5:
         controller = replace(controller, path=own)
     chain = chain_of(one_station("lines", robot, controller))

@@ -12,7 +12,7 @@ from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import IkOptions, forward_batch, inverse
 from ropsim.model import LookAhead
 from ropsim.planning import MotionChain, MotionPlan, MotionState, plan
-from ropsim.robots import joint_path_limits
+from ropsim.robots import path_limits_of_joints
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, one_station
 from support.motion import references
@@ -41,7 +41,7 @@ def chain_with_limits(name: str, look_ahead: LookAhead | None = None) -> MotionC
     """Return the chain of an arm with the path limits of its joints."""
     arm = robots.load(name)
     controller = robots.default_controller(arm)
-    limits = joint_path_limits(arm)
+    limits = path_limits_of_joints(arm)
     changed = replace(controller, path=limits or controller.path)
     if look_ahead is not None:
         changed = replace(changed, look_ahead=look_ahead)

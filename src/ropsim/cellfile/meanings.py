@@ -77,6 +77,7 @@ MEANINGS: Mapping[str, str] = {
     "correction_acceleration": "How quickly the shift of a path may change its speed.",
     "controller.orientation": "How the tool turns on its paths.",
     "ptp": "How the joints go together on `mov`.",
+    "short_lines": "How chains of short lines are flown: as curves, or with a blend at each point.",
     "devices": "What moves beside the robots: conveyors, slides, turntables.",
     "devices.*": "A device: a conveyor, a slide or a turntable.",
     "kind": "What it is; the other keys follow from it.",

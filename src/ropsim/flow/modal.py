@@ -17,11 +17,11 @@ class ModalState:
         X_MT: pose of the tool in the mechanical interface frame; None leaves it to the cell file.
         ptp_speed: share of the joint speed limits, in (0, 1].
         ptp_acceleration: share of the joint acceleration limits, in (0, 1].
-        path_speed: speed of the TCP on LIN paths [m/s]; None = the cell's default.
+        path_speed: speed of the TCP on its paths [m/s]; None = the cell's default.
         path_acceleration: its acceleration [m/s²]; None = the cell's default.
-        orientation_speed: angular speed limit on LIN paths [rad/s]; None = the cell's default.
+        orientation_speed: angular speed limit on tool paths [rad/s]; None = the cell's default.
         orientation_acceleration: its acceleration [rad/s²]; None = the cell's default.
-        path_jerk: jerk on LIN paths [m/s³]; None = the cell's default.
+        path_jerk: jerk on tool paths [m/s³]; None = the cell's default.
         zone: distance from the target at which the next move may begin [m]; 0 stops there (fine).
         passes: a target whose zone is 0 is a via point: it is passed by at the distance that the cell has for
             these.

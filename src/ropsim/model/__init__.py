@@ -73,6 +73,7 @@ from ropsim.model.controller import NoGains as NoGains
 from ropsim.model.controller import OrientationMode as OrientationMode
 from ropsim.model.controller import PathDefaults as PathDefaults
 from ropsim.model.controller import Rates as Rates
+from ropsim.model.controller import ShortLines as ShortLines
 from ropsim.model.controller import Synchronisation as Synchronisation
 from ropsim.model.controller import gain_names as gain_names
 from ropsim.model.drives.drive import Amplifier as Amplifier

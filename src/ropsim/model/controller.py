@@ -35,6 +35,17 @@ class Synchronisation(Enum):
     TIME = "time"
 
 
+class ShortLines(Enum):
+    """How a controller flies chains of short lines with zones.
+
+    As curves of least jerk within the zones, which controllers with a compressor do (for milling, bonding and
+    welding along sampled points), or with a blend of its own at each point.
+    """
+
+    CURVES = "curves"
+    ZONES = "zones"
+
+
 @frozen_dataclass
 class CorrectionLimits:
     """Limits of a path correction; estimated, as manuals keep theirs in settings of the cell.
@@ -172,7 +183,7 @@ def gain_names(gains: Gains) -> tuple[str, ...]:
 
 @frozen_dataclass
 class PathDefaults:
-    """Default settings of LIN paths.
+    """Settings of tool paths where the program gives none.
 
     Attributes:
         speed: [m/s].
@@ -223,7 +234,7 @@ class ControllerModel:
         kind: law of the joint controller.
         rates: periods.
         gains: gains of the joint controller, for its law.
-        path: defaults on LIN paths.
+        path: settings of tool paths where the program gives none.
         in_position: a fine stop is over when every joint is this near its target [rad | m], and not faster
             than this way in 20 ms, shape (n,).
         settle_time: for which time both must hold [s].
@@ -233,6 +244,7 @@ class ControllerModel:
         via_zone: distance at which via points are passed if the program sets no zone [m].
         orientation: how the tool turns on its paths.
         ptp: how the joints go together on PTP moves.
+        short_lines: how chains of short lines with zones are flown.
         correction: how far and how quickly a sensor may shift a path.
         origins: where the gains come from.
     """
@@ -257,6 +269,7 @@ class ControllerModel:
     via_zone: float = 0.01
     orientation: OrientationMode = OrientationMode.FIXED_AXIS
     ptp: Synchronisation = Synchronisation.PHASE
+    short_lines: ShortLines = ShortLines.CURVES
     correction: CorrectionLimits = CorrectionLimits()
     origins: tuple[ParameterOrigin, ...] = ()
 

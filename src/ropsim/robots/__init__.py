@@ -4,6 +4,7 @@ from ropsim.robots.catalogue import INDEX as INDEX
 from ropsim.robots.catalogue import CatalogueEntry as CatalogueEntry
 from ropsim.robots.catalogue import catalogue as catalogue
 from ropsim.robots.catalogue import catalogue_text as catalogue_text
+from ropsim.robots.default_path_limits import PATH_LIMITS as PATH_LIMITS
 from ropsim.robots.default_path_limits import default_path_limits as default_path_limits
 from ropsim.robots.devices import conveyor as conveyor
 from ropsim.robots.devices import rotary as rotary
@@ -18,8 +19,6 @@ from ropsim.robots.external_axes import gantry as gantry
 from ropsim.robots.external_axes import linear_track as linear_track
 from ropsim.robots.external_axes import tilting_turntable as tilting_turntable
 from ropsim.robots.external_axes import turntable as turntable
-from ropsim.robots.joint_path_limits import TOOL_LENGTH as TOOL_LENGTH
-from ropsim.robots.joint_path_limits import joint_path_limits as joint_path_limits
 from ropsim.robots.library import STANDARD_RATES as STANDARD_RATES
 from ropsim.robots.library import default_controller as default_controller
 from ropsim.robots.library import load as load
@@ -28,6 +27,8 @@ from ropsim.robots.loops.cascaded_loops import LoopBandwidths as LoopBandwidths
 from ropsim.robots.loops.cascaded_loops import standard_bandwidths as standard_bandwidths
 from ropsim.robots.loops.cascaded_loops import standard_gains as standard_gains
 from ropsim.robots.loops.torque_loops import standard_torque_gains as standard_torque_gains
+from ropsim.robots.path_limits_of_joints import TOOL_LENGTH as TOOL_LENGTH
+from ropsim.robots.path_limits_of_joints import path_limits_of_joints as path_limits_of_joints
 from ropsim.robots.standard_controller import acts_directly as acts_directly
 from ropsim.robots.standard_controller import cascaded_controller as cascaded_controller
 from ropsim.robots.standard_controller import swings as swings

@@ -8,7 +8,7 @@ import pytest
 from ropsim import robots
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
-from ropsim.model import Cell, ControllerKind, CorrectionLimits, NoGains, Rates
+from ropsim.model import Cell, ControllerKind, CorrectionLimits, NoGains, Rates, ShortLines
 from support.gains import cascaded
 
 POSE_TOLERANCE = 1e-12  # [m], a few roundings of coordinates below 1 m
@@ -172,7 +172,8 @@ def test_the_controller_can_be_changed_value_by_value() -> None:
         "speed_override = 0.5\nstart = [0, 90, 0, 0, 0, 10]\n"
         "[controller]\ncontrol_hz = 500\nkp = [1, 2, 3, 4, 5, 6]\npath_speed = 150\n"
         "orientation_speed = 90\nin_position = [0.1, 0.1, 0.1, 0.1, 0.1, 0.1]\n"
-        'ptp = "time"\ncorrection_size = 5\ncorrection_speed = 40\ncorrection_acceleration = 300\n'
+        'ptp = "time"\nshort_lines = "zones"\n'
+        "correction_size = 5\ncorrection_speed = 40\ncorrection_acceleration = 300\n"
     )
     cell = cell_of(text)
     controller = cell.first.controller
@@ -189,6 +190,7 @@ def test_the_controller_can_be_changed_value_by_value() -> None:
     assert controller.origins[0].source.startswith("kp as in the cell file; the others from masses")
     assert controller.path.jerk == own.path.jerk
     assert (controller.ptp.value, own.ptp.value) == ("time", "phase")
+    assert (controller.short_lines, own.short_lines) == (ShortLines.ZONES, ShortLines.CURVES)
     assert controller.correction == CorrectionLimits(0.005, 0.04, 0.3)
     assert own.correction == CorrectionLimits(0.02, 0.02, 0.5)
 

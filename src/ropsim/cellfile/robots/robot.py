@@ -22,6 +22,7 @@ from ropsim.model import (
     PathDefaults,
     Rates,
     RobotModel,
+    ShortLines,
     Station,
     Synchronisation,
     axes_words,
@@ -33,7 +34,6 @@ from ropsim.spatial import Array, Pose, frozen, record
 from ropsim.tomltext import NUMBER, SHARE, TIME, Quantity, Question, Sort, TomlTable, Units
 
 _LIMITS = ("joint_speed", "joint_acceleration", "joint_jerk")
-_OF_PATHS = "path limits"
 _PATH_KEYS = (
     "path_acceleration",
     "path_jerk",
@@ -203,6 +203,7 @@ def _controller(
     controller = _with_stated_law(table, controller, model)
     names = gain_names(controller.gains)
     given = [name for name in names if name in table]
+    given_path = [name for name in _PATH_KEYS if name in table]
     gains = {
         name: _per_joint(
             table, name, [_SHARES.get(name, _GAIN)] * model.n, getattr(controller.gains, name), model
@@ -224,12 +225,12 @@ def _controller(
         ptp=Synchronisation(
             table.choice("ptp", [one.value for one in Synchronisation], controller.ptp.value)
         ),
+        short_lines=ShortLines(
+            table.choice("short_lines", [one.value for one in ShortLines], controller.short_lines.value)
+        ),
         correction=_correction(table, controller.correction, units),
         origins=tuple(
-            _with_given(
-                origin,
-                [key for key in _PATH_KEYS if key in table] if origin.parameters == _OF_PATHS else given,
-            )
+            _with_given(origin, given_path if origin.parameters == robots.PATH_LIMITS else given)
             for origin in controller.origins
         ),
     )

@@ -207,7 +207,7 @@ def _range(joint: Joint, lower: float, upper: float) -> str:
 
 def _tool_motion(robot: RobotModel) -> list[str]:
     """Return a line for what the joints can do for the tool, where the robot is an arm."""
-    limits = robots.joint_path_limits(robot)
+    limits = robots.path_limits_of_joints(robot)
     if limits is None:
         return []
     turning, turned = (
@@ -234,7 +234,7 @@ def _published_limits(robot: RobotModel) -> list[str]:
 
 
 def _tool_motion_document(robot: RobotModel) -> dict[str, float] | None:
-    limits = robots.joint_path_limits(robot)
+    limits = robots.path_limits_of_joints(robot)
     if limits is None:
         return None
     return {

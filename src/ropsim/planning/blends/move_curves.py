@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ropsim.core import Diagnostic
+from ropsim.model import ShortLines
 from ropsim.motion import LINES_AS_CURVE, CurvePart, JointPath, JointPoints, StraightPart, compressed, end_of
 from ropsim.planning.blends.joined_ends import SAME_JOINTS, joined_to
 from ropsim.planning.blends.short_line_chains import Span, chains_of, longest_on_curve, points_of
@@ -49,7 +50,7 @@ def with_curves(chain: MotionChain, moves: Sequence[PlannedMove]) -> list[Planne
         moves: the moves, from rest to rest.
     """
     found = list(moves)
-    if chain.controller.look_ahead.moves < 1:
+    if chain.controller.look_ahead.moves < 1 or chain.controller.short_lines is ShortLines.ZONES:
         return found
     for first, last in chains_of(chain, moves):
         here = moves[first:last]

@@ -141,5 +141,5 @@ def cascade_statement(robot: Mechanism, rates: Rates) -> str:
     return (
         f"from masses, gears and motors of the model: speed loops {speed} rad/s, "
         f"position loops {position} rad/s, integral action {integral} rad/s; speed and acceleration "
-        f"fed forward{elastic_words(_inertias(robot)[2], ELASTIC_SHARE)}"
+        f"fed forward{elastic_words(_inertias(robot)[2])}"
     )

@@ -52,18 +52,17 @@ def elastic_frequencies(robot: Mechanism, Q: Array) -> Array:
     return found
 
 
-def elastic_words(swings: Array, share: float) -> str:
+def elastic_words(swings: Array) -> str:
     """Return how elastic gears bound the speed loops of their axes; empty where all are rigid.
 
     Args:
         swings: how fast each axis swings [rad/s], inf for rigid gears, shape (n,).
-        share: most of that for the crossover of a speed loop.
     """
     if not np.isfinite(swings).any():
         return ""
     return (
         f"; axes with elastic gears swing at {span(swings[np.isfinite(swings)])} rad/s while motors are "
-        f"held, their speeds are measured at the motors, in loops of at most {share:g} of that"
+        f"held, their speeds are measured at the motors, in loops of at most {ELASTIC_SHARE:g} of that"
     )
 
 

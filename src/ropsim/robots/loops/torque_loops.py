@@ -11,23 +11,12 @@ import numpy as np
 from ropsim.dynamics import axis_inertias, chain_of, elastic_axes, rotor_inertias
 from ropsim.kinematics import configurations
 from ropsim.model import ComputedTorqueGains, Mechanism, Rates, RobotModel, with_payload
-from ropsim.robots.loops.elastic_gears import elastic_frequencies, elastic_words, span
+from ropsim.robots.loops.cascaded_loops import CONTROL_SHARE, ELECTRICAL_SHARE, POSITION_SHARE
+from ropsim.robots.loops.elastic_gears import ELASTIC_SHARE, elastic_frequencies, elastic_words, span
 from ropsim.spatial import Array, frozen
 
-ELECTRICAL_SHARE = 1.0 / 3.0
-"""Crossover of the speed loop over the electrical pole R/L: the current then lags by about 18 degrees."""
-
-CONTROL_SHARE = 1.0 / 5.0
-"""Crossover of the speed loop [rad/s] over the control rate [Hz]: the held output costs about 6 degrees."""
-
 ROTOR_SHARE = 1.0 / 2.0
-"""The same of a rotor on its elastic gear."""
-
-ELASTIC_SHARE = 0.7
-"""Crossover of the speed loop over the frequency at which the arm swings on elastic gears."""
-
-POSITION_SHARE = 0.3
-"""Bandwidth of the position loop over that of the speed loop: no overshoot."""
+"""The same as `CONTROL_SHARE`, of a rotor on its elastic gear."""
 
 INTEGRAL_SHARE = 0.3
 """Corner of the integral action over the crossover of the speed loop: it costs about 17 degrees."""
@@ -52,7 +41,7 @@ def torque_statement(robot: Mechanism, rates: Rates) -> str:
         f"computed torque with the masses of the model, tool and part: speed loops {span(speed)} rad/s, "
         f"position loops {span(POSITION_SHARE * speed)} rad/s, integral action "
         f"{span(INTEGRAL_SHARE * speed)} rad/s, by motors and control rate"
-        f"{elastic_words(_elastic(robot)[0], ELASTIC_SHARE)}"
+        f"{elastic_words(_elastic(robot)[0])}"
     )
 
 

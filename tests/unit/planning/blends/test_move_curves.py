@@ -9,7 +9,7 @@ import pytest
 
 from ropsim.flow import ModalState, SpeedCause
 from ropsim.kinematics import forward_batch
-from ropsim.model import LookAhead
+from ropsim.model import LookAhead, ShortLines
 from ropsim.planning import MotionPlan, MotionState, plan
 from ropsim.spatial import Array, Pose
 from support.motion import references
@@ -146,6 +146,16 @@ def test_look_ahead_counts_the_moves_of_a_curve() -> None:
     ]
     assert durations == sorted(durations, reverse=True)
     assert durations[0] > 1.5 * durations[1] > 1.2 * durations[2] > durations[3]
+
+
+def test_a_controller_without_compressor_blends_at_each_point() -> None:
+    zoned = replace(IRB, controller=replace(IRB.controller, short_lines=ShortLines.ZONES))
+    points = wave(0.0025, 40)
+    done, along = (flown(one, points, 0.001, 0.3) for one in (zoned, IRB))
+    assert curves(along)
+    assert not curves(done)
+    assert all(0.0 < move.zone <= 0.001 for move in done.moves[:-1])
+    assert done.duration > 1.5 * along.duration
 
 
 def test_without_look_ahead_there_is_no_curve() -> None:

@@ -42,7 +42,7 @@ _DIRECTIONS = frozen([one / np.linalg.norm(one) for one in _CORNERS])
 """Through the faces, edges and corners of a cube, one of each opposite pair, shape (13, 3)."""
 
 
-def joint_path_limits(robot: Mechanism) -> PathDefaults | None:
+def path_limits_of_joints(robot: Mechanism) -> PathDefaults | None:
     """Return limits of tool paths that the joints of an arm allow in the middle of its workspace.
 
     The speed is 0.25 m/s: a program states its own. The other limits are what the joints can do there: the

@@ -7,7 +7,7 @@ import pytest
 
 from ropsim import robots
 from ropsim.model import PathDefaults, RobotModel
-from ropsim.robots import joint_path_limits
+from ropsim.robots import path_limits_of_joints
 
 CITED = {
     "gp25": (10.0, 8.6, 20.0),
@@ -26,7 +26,7 @@ CLOSE = 0.1
 
 
 def limits(robot: RobotModel) -> PathDefaults:
-    found = joint_path_limits(robot)
+    found = path_limits_of_joints(robot)
     assert found is not None
     return found
 
@@ -67,4 +67,4 @@ def test_a_lone_axis_has_none_of_orientation_beyond_its_own() -> None:
 
 
 def test_what_is_no_arm_has_none() -> None:
-    assert joint_path_limits(robots.conveyor(1.0, 0.5, 0.8)) is None
+    assert path_limits_of_joints(robots.conveyor(1.0, 0.5, 0.8)) is None
