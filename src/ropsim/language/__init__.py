@@ -29,6 +29,7 @@ from ropsim.language.editing.vocabulary import FUNCTIONS as FUNCTIONS
 from ropsim.language.editing.vocabulary import INNER_WORDS as INNER_WORDS
 from ropsim.language.editing.vocabulary import LOCATION_WORDS as LOCATION_WORDS
 from ropsim.language.editing.vocabulary import MOTION_WORDS as MOTION_WORDS
+from ropsim.language.editing.vocabulary import NO_LIST_NAMES as NO_LIST_NAMES
 from ropsim.language.editing.vocabulary import RESERVED_WORDS as RESERVED_WORDS
 from ropsim.language.editing.vocabulary import STATEMENT_WORDS as STATEMENT_WORDS
 from ropsim.language.editing.vocabulary import TYPE_WORDS as TYPE_WORDS

@@ -31,7 +31,7 @@ from ropsim.version import __version__
 
 CAPABILITIES: Json = {
     "textDocumentSync": {"openClose": True, "change": 2, "save": {"includeText": False}},
-    "completionProvider": {"triggerCharacters": [".", ":", "(", ",", " "]},
+    "completionProvider": {"triggerCharacters": [".", ":", "(", ",", " ", '"']},
     "hoverProvider": True,
     "signatureHelpProvider": {"triggerCharacters": ["(", ",", " ", "="]},
     "definitionProvider": True,

@@ -49,3 +49,21 @@ def test_a_list_says_how_many_points_it_has_and_where(uri: str) -> None:
 def test_a_chain_is_explained_as_a_motion(uri: str) -> None:
     answer = Editor().at_mark("hover", uri, f"{HEAD}li|n along seam\n")
     assert "along LIST" in str(answer["contents"]["value"])
+
+
+@pytest.mark.parametrize(
+    ("verb", "offered"), [("lin", True), ("mov", True), ("spline", True), ("circ", False)]
+)
+def test_along_is_offered_behind_a_verb_that_takes_a_list(verb: str, offered: bool, uri: str) -> None:
+    assert ("along" in labels(f"{verb} |", uri)) is offered
+
+
+def test_without_lists_along_is_not_offered(uri: str, tmp_path: Path) -> None:
+    (tmp_path / "cell" / "points" / "seam.csv").unlink()
+    assert "along" not in labels("lin |", uri)
+
+
+def test_names_of_points_are_offered_within_the_index_of_their_list(uri: str) -> None:
+    assert labels('lin seam["|"]', uri) == ["a", "b", "c"]
+    assert labels('print "seam|', uri) == []
+    assert labels('lin slots["|', uri) == []

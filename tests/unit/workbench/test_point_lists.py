@@ -67,6 +67,9 @@ def test_a_changed_list_is_read_again(folder: Path) -> None:
         ("jaws", "`jaws` is a tool of the cell: programs cannot name the list"),
         ("two words", "programs cannot name the list `two words`"),
         ("lin", "programs cannot name the list `lin`"),
+        ("fine", "programs cannot name the list `fine`"),
+        ("via", "programs cannot name the list `via`"),
+        ("track", "programs cannot name the list `track`"),
     ],
 )
 def test_a_list_that_programs_cannot_name_is_told(folder: Path, name: str, said: str) -> None:

@@ -3,7 +3,16 @@
 from ropsim.language.check.expressions.functions import NAMES
 from ropsim.language.syntax.lexer import UNITS
 from ropsim.language.syntax.readers.declarations import TYPES
-from ropsim.language.syntax.words import END, EXTERNAL, HEADS, MOTION_MODIFIERS, NOT_YET, RESERVED, VIA
+from ropsim.language.syntax.words import (
+    END,
+    EXTERNAL,
+    HEADS,
+    INSIDE,
+    MOTION_MODIFIERS,
+    NOT_YET,
+    RESERVED,
+    VIA,
+)
 
 _REFUSED_TYPES = frozenset(["frame", "tool", "signal"])
 
@@ -15,6 +24,9 @@ INNER_WORDS = RESERVED - HEADS
 
 RESERVED_WORDS = RESERVED | NOT_YET | {END}
 """Words that are offered for no name, those of later versions included."""
+
+NO_LIST_NAMES = RESERVED_WORDS | MOTION_MODIFIERS | frozenset(INSIDE)
+"""Words that no list of points may have as its name: behind `along` some of them go on with the motion."""
 
 LOCATION_WORDS = frozenset([EXTERNAL])
 """Words that stand behind a location only and may be names elsewhere."""

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
-from ropsim.language import Role
+from ropsim.language import PointTable, Role
 from ropsim.lsp.analysis.names import Known
 from ropsim.lsp.completion import words
 from ropsim.lsp.completion.expected import LITERALS, may_give, type_of
@@ -58,6 +58,7 @@ _PLACES = frozenset(("loc", "target", "joints"))
 _MEANT = {("target", "loc"), ("target", "joints"), ("num", "int"), ("count", "int"), ("count", "num")}
 _KNOWN_BEFORE = re.compile(r"^\s*(?:loc|frame|tool|const|pattern)\b", re.IGNORECASE)
 _VERB = re.compile(r"^\s*(?:\d+\.\s*)?(?:mov[jlc]?|lin|circ|spline)\s+$", re.IGNORECASE)
+_LISTED = re.compile(r"^\s*(?:\d+\.\s*)?(?:mov[jl]?|lin|spline)\s+$", re.IGNORECASE)
 _JOINTS = words.Word("joints(a1, …)", "Joint coordinates, that of the first axis first.")
 
 
@@ -79,6 +80,8 @@ def values(prefix: str, known: list[Known], wanted: str) -> Iterator[Json]:
     for place, literal in enumerate(LITERALS.get(wanted, ())):
         yield item(literal, LITERAL, wanted, "", f"1{place}")
     yield from _places(prefix, wanted)
+    if _LISTED.match(prefix) and any(one.role is Role.LIST for one in known):
+        yield item("along", KEYWORD, words.MOTIONS["along"].form, words.MOTIONS["along"].meaning, "3")
     if wanted not in (*_PLACES, "count"):
         yield from word_items(words.FUNCTIONS, FUNCTION, "4")
     if wanted in ("", "bool"):
@@ -98,6 +101,21 @@ def _places(prefix: str, wanted: str) -> Iterator[Json]:
         yield item("joints(", KEYWORD, _JOINTS.form, _JOINTS.meaning, "1" if wanted else "3")
     if _VERB.match(prefix):
         yield item("via", KEYWORD, words.MOTIONS["via"].form, words.MOTIONS["via"].meaning, "3")
+
+
+_POINT_NAME = re.compile(r'([A-Za-z_]\w*)\["[^"\\]*$', re.ASCII)
+
+
+def point_names(line: str, lists: Mapping[str, PointTable]) -> Iterator[Json]:
+    """Yield the names of points of the list whose index a line ends within, `rack["…`, in their order.
+
+    Args:
+        line: up to the word that is being typed.
+        lists: those of the project by name.
+    """
+    if (named := _POINT_NAME.search(line)) and named[1] in lists:
+        for name, number in lists[named[1]].names.items():
+            yield item(name, LITERAL, f"point {number} of {named[1]}", "", f"0{number:05}")
 
 
 _OWNER = re.compile(r"([A-Za-z_]\w*)\.$", re.ASCII)

@@ -28,6 +28,7 @@ from ropsim.lsp.completion.items import (
     item,
     members,
     name_item,
+    point_names,
     values,
     word_items,
 )
@@ -102,9 +103,9 @@ def proposed(
     if not is_program(document):
         return []
     before = document.line(position.line)[: document.column(position)]
-    if _NO_PLACE.search(before):
-        return []
     line = before[: len(before) - len(_partial(before))]
+    if _NO_PLACE.search(before):
+        return list(point_names(line, workshop.named(document, documents).environment.lists))
     checked = workshop.checked(document, documents)
     if trigger in _QUIET_TRIGGERS and not in_call(line, checked.tasks):
         return []

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
-from ropsim.language import RESERVED_WORDS, PointTable
+from ropsim.language import NO_LIST_NAMES, PointTable
 from ropsim.model import Cell
 
 POINTS, LIST_ENDING = "points", ".csv"
@@ -61,7 +61,7 @@ def read_table(text: SourceText, name: str) -> ReadTable:
     from ropsim.tasks import POINT_LIST_NAME, point_table, points_of
 
     found, findings = points_of(text, name)
-    if not name.isidentifier() or not name.isascii() or name.lower() in RESERVED_WORDS:
+    if not name.isidentifier() or not name.isascii() or name.lower() in NO_LIST_NAMES:
         message = f"programs cannot name the list `{name[:80]}`"
         hint = "name the file with letters, digits and `_`, and no word of the language"
         return ReadTable(None, (*findings, POINT_LIST_NAME.at(text.span(1), message, hint=hint)))
