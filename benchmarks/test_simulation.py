@@ -135,7 +135,7 @@ def test_servo_tick(benchmark: Any) -> None:
     measure.figure("times real time", SECONDS / time_.best)
     measure.figure("us per control tick", 1e6 * time_.best / reference.ticks)
     measure.figure("us per bare forward dynamics", 1e6 * bare)
-    evaluations = 4 * CONTROLLER.rates.plant_steps * reference.ticks
+    evaluations = 4 * servo.plant_steps * reference.ticks
     measure.figure("share of the bare dynamics in it", evaluations * bare / time_.best, least=0.4)
     measure.figure("us that a slice costs beside its ticks", 1e6 * (sliced - whole) / slices)
     measure.figure("times what one slice for all ticks takes", sliced / whole, most=1.7)

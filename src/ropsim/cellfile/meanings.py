@@ -50,7 +50,7 @@ MEANINGS: Mapping[str, str] = {
     "controller": "What differs from the standard controller of the robot.",
     "control_hz": "Ticks of the joint controller in a second.",
     "interpolation_ticks": "Control ticks in an interpolation tick.",
-    "plant_steps": "Integration steps of drives and arm in a control tick.",
+    "plant_steps": "Integration steps of drives and arm in a control tick; else as many as they need.",
     "kp": "Position gain, one for each joint.",
     "kv": "Speed gain, one for each joint.",
     "ki": "Integral gain of the speed loop, or rate under computed torque, one for each joint.",

@@ -65,8 +65,8 @@ their points.
 
 **How to mend it.** Nothing is wrong. Give smaller zones where the tool has to be nearer to the points, larger
 ones where it has to be quicker, and `fine` where it has to stop. Were the points made from a smooth curve, a
-`spline` through fewer of them says the same. Where your controller has no compressor, `short_lines = "zones"` in
-`[controller]` of the cell file gives each point its own blend, and the time of that.
+`spline` through fewer of them says the same. Where your controller has no compressor, `short_lines = "zones"`
+in `[controller]` of the cell file gives each point its own blend, and the time of that.
 """,
 )
 

@@ -75,10 +75,7 @@ def test_an_output_of_the_program_alone_is_off_until_it_is_set(cell: Cell) -> No
 
 def test_a_diverged_arm_is_reported_at_the_line_and_pass_that_it_was_in(cell: Cell) -> None:
     controller = cell.first.controller
-    coarse = with_station(
-        cell, controller=replace(controller, rates=replace(controller.rates, control_hz=50))
-    )
-    assert coarse.first.controller.rates == Rates(50, 4, 2)
+    coarse = with_station(cell, controller=replace(controller, rates=Rates(50, 4, plant_steps=2)))
     program = code_of(coarse, "mov home", "repeat 2", "  mov joints (90, 60, -150, 0, -60, 0)", "endr")
     with pytest.raises(DivergedError) as caught:
         run(coarse, {"robot": program}, RunOptions())

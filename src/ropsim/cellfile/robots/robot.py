@@ -143,7 +143,7 @@ def _rates(settings: TomlTable) -> Rates:
     return Rates(
         settings.integer("control_hz", 50, 20_000, standard.control_hz),
         settings.integer("interpolation_ticks", 1, 1000, standard.interpolation_ticks),
-        settings.integer("plant_steps", 1, 100, standard.plant_steps),
+        settings.integer("plant_steps", 1, 100, 1) if "plant_steps" in settings.values else None,
     )
 
 

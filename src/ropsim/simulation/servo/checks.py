@@ -93,7 +93,8 @@ def check_rates(rates: Rates) -> None:
         OptionError: one is not.
     """
     check_option("control_hz", rates.control_hz)
-    check_option("plant_steps", rates.plant_steps)
+    if rates.plant_steps is not None:
+        check_option("plant_steps", rates.plant_steps)
 
 
 def check_law(law: CompiledLaw, robot: RobotModel) -> None:

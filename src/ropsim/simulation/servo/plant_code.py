@@ -149,6 +149,27 @@ def efforts(robot: RobotModel, x: Array, u: Array, tau: Array) -> None:
     _evaluated(robot, "efforts", x, u, tau)
 
 
+def drive_sides(robot: RobotModel, x: Array, u: Array) -> Array:
+    """Return what the drives do at the joints: efforts less friction, inertias, and rates of their states.
+
+    Args:
+        robot: arm with drives.
+        x: integrated part of the state vector.
+        u: output of the amplifiers.
+
+    Returns:
+        Shape of `x`: efforts [N·m | N], inertias [kg·m² | kg], rates.
+    """
+    code, result = _sides_code(structure_of(robot)), np.empty(len(x))
+    load("drives", code.functions, Engine.PYTHON)(x, u, code.constants(arm_numbers(robot)), result)
+    return result
+
+
+@lru_cache(maxsize=64)
+def _sides_code(structure: ArmStructure) -> GivenCode:
+    return GivenCode.of(Formula("drives", ("x", "u", "side"), _sides(_Traced.of(Tracer(), structure))))
+
+
 def _evaluated(robot: RobotModel, name: str, x: Array, u: Array, result: Array) -> None:
     """Evaluate a function of the plant once: plain Python is faster than compiling it."""
     code = plant_code(structure_of(robot))

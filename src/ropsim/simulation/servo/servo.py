@@ -1,6 +1,6 @@
 """The servo-driven arm: joint controller, drives, gears, friction and rigid bodies, in compiled slices."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -33,6 +33,7 @@ from ropsim.simulation.servo.diagnostics import DivergedError
 from ropsim.simulation.servo.divergence import diverged, first_fault
 from ropsim.simulation.servo.judged import full_values
 from ropsim.simulation.servo.plant_code import efforts, plant_code
+from ropsim.simulation.servo.plant_steps import plant_steps_of
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.slice_log import Log
 from ropsim.simulation.servo.source import servo_functions
@@ -107,9 +108,10 @@ class Servo:
         check_law(inner, robot)
         kernel = _kernel(robot, inner, engine or default_engine(), law)
         layout = StateLayout.of(structure_of(robot).drives, inner.traits)
-        rates = controller.rates
+        steps = plant_steps_of(robot, controller.rates)
+        rates = replace(controller.rates, plant_steps=steps)
         bench = _Bench.of(kernel, inner, layout, rates, robot)
-        return cls(robot, inner, python_law, layout, rates.control_hz, rates.plant_steps, kernel, bench)
+        return cls(robot, inner, python_law, layout, rates.control_hz, steps, kernel, bench)
 
     @property
     def period(self) -> float:

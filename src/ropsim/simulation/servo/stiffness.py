@@ -10,6 +10,7 @@ from ropsim.flow import Fidelity
 from ropsim.kinematics import configurations
 from ropsim.model import ROBOT, Cell, Drive, JointType, Rates, RobotModel
 from ropsim.simulation.servo.diagnostics import STEEP_FRICTION
+from ropsim.simulation.servo.plant_steps import plant_steps_of
 from ropsim.spatial import Array
 
 STABLE = 2.7
@@ -46,7 +47,7 @@ def steep_axes(robot: RobotModel, rates: Rates) -> tuple[SteepAxis, ...]:
     Raises:
         MissingMassError: M590 or M591, the arm, or what an axis moves, has no inertia.
     """
-    step = rates.control_period / rates.plant_steps
+    step = rates.control_period / plant_steps_of(robot, rates)
     inertias = free_inertias(robot, configurations(robot, SAMPLES)).min(axis=0)
     slopes = np.array([_slope(drive, q) for drive, q in zip(robot.drives, robot.home.tolist(), strict=True)])
     products: Array = slopes / inertias * step

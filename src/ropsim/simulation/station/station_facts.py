@@ -7,6 +7,7 @@ import numpy as np
 from ropsim.controller import CompiledLaw, PythonLaw
 from ropsim.flow import AxisFacts, AxisType, StationFacts
 from ropsim.model import ControllerModel, JointType, RobotModel
+from ropsim.simulation.servo.plant_steps import plant_steps_of
 
 _TYPES = {JointType.REVOLUTE: AxisType.REVOLUTE, JointType.PRISMATIC: AxisType.PRISMATIC}
 
@@ -18,7 +19,7 @@ def station_facts(name: str, robot: RobotModel, controller: ControllerModel) -> 
         name,
         control_hz=float(rates.control_hz),
         interpolation_ticks=rates.interpolation_ticks,
-        plant_steps=rates.plant_steps,
+        plant_steps=plant_steps_of(robot, rates),
         robot=robot.name,
         title=robot.title,
         axes=_axes(robot),

@@ -57,7 +57,7 @@ DRIVES: tuple[DeviceDrive, ...] = (
     SwitchDrive("out", 0.0, 0.1, 0.2, 1.0),
     IndexDrive("out", 0.1, 0.2, 1.0),
 )
-CONTROLLER = robots.default_controller(ARM)
+CONTROLLER = robots.default_controller(ARM, Rates(plant_steps=2))
 TORQUE_GAINS = ComputedTorqueGains(frozen([100.0] * 6), frozen([20.0] * 6), frozen([5.0] * 6))
 TOOL = Tool(
     "gripper",

@@ -10,7 +10,7 @@ from ropsim import robots
 from ropsim.model import Drive, EffortAmplifier, Friction, Gear, IdealMotor, Link, Rates, RobotModel
 from ropsim.simulation.servo.stiffness import STABLE, steep_axes, steep_words
 
-RATES = Rates()
+RATES = Rates(plant_steps=2)
 STEP = 1.0 / 2000.0
 
 

@@ -1,0 +1,111 @@
+"""Integration steps in a control tick: as many as the fastest pole of drives and arm needs."""
+
+from functools import lru_cache
+from itertools import zip_longest
+from math import ceil, inf, isfinite
+
+import numpy as np
+
+from ropsim.codegen import Engine
+from ropsim.controller import LawTraits
+from ropsim.dynamics import compiled, mass_matrices, rotor_inertias, steady_drive, structure_of
+from ropsim.kinematics import configurations
+from ropsim.model import Payload, Rates, RobotModel
+from ropsim.simulation.servo.plant_code import drive_sides
+from ropsim.simulation.servo.state import StateLayout
+from ropsim.spatial import Array
+
+LONGEST = 0.5e-3
+"""Longest integration step where none is stated [s]."""
+
+LARGEST_PRODUCT = 2.0
+"""Largest product of step and fastest pole where no step is stated; fixed Runge-Kutta steps of fourth order
+bear 2.785 on the real axis. E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 2nd ed.,
+Springer 1996, section IV.2."""
+
+MOST = 100
+"""Most steps in a control tick where none are stated."""
+
+_SAMPLES = 8
+"""Configurations besides the home position at which poles are computed."""
+
+_DIFFERENCE = 1e-6
+"""Half of a difference over a state at 0; over its magnitude where that is beyond 1."""
+
+
+def plant_steps_of(robot: RobotModel, rates: Rates) -> int:
+    """Return the number of integration steps in a control tick: the stated one, else what the arm needs.
+
+    Args:
+        robot: with drives, or without, which has no equations to integrate.
+        rates: of its controller.
+    """
+    if rates.plant_steps is not None:
+        return rates.plant_steps
+    fewest = ceil(rates.control_period / LONGEST - 1e-9)
+    if not robot.drives:
+        return fewest
+    needed = rates.control_period * fastest_pole(robot) / LARGEST_PRODUCT
+    return fewest if not needed > fewest else min(ceil(needed), max(MOST, fewest))
+
+
+@lru_cache(maxsize=64)
+def fastest_pole(robot: RobotModel) -> float:
+    """Return the largest magnitude of a pole of drives and arm at rest [1/s]; inf where nothing is moved.
+
+    The equations are linearised in the home position and in some configurations of the whole range, with
+    the drives in the state that holds the arm. How the mass matrix and gravity change with the posture has
+    no part in a pole as fast as those that limit a step.
+
+    Args:
+        robot: with drives, without payload.
+
+    Raises:
+        MissingMassError: M590, no link has a mass.
+    """
+    layout = StateLayout.of(structure_of(robot).drives, LawTraits())
+    Q = np.vstack((robot.home, configurations(robot, _SAMPLES)))
+    links = mass_matrices(robot, Q) - rotor_inertias(robot, Q)[:, :, np.newaxis] * np.eye(robot.n)
+    poles = [_magnitudes(robot, layout, q, inertia) for q, inertia in zip(Q, links, strict=True)]
+    fastest = float(np.max(poles))
+    return fastest if isfinite(fastest) else inf
+
+
+def _magnitudes(robot: RobotModel, layout: StateLayout, q: Array, links: Array) -> Array:
+    """Return the magnitudes of the poles at a configuration [1/s], all inf where an axis moves nothing."""
+    n, size = robot.n, layout.integrated
+    x, u = _held(robot, layout, q)
+    middle = drive_sides(robot, x, u)
+    mass = links + np.diag(middle[n : 2 * n])
+    A = np.zeros((size, size))
+    A[:n, n : 2 * n] = np.eye(n)
+    forces = np.zeros((n, size))
+    drives = [layout.drive(axis) for axis in range(n)]
+    for places in (range(n), range(n, 2 * n), *zip_longest(*drives)):  # a drive acts on its own axis alone
+        moved = [(axis, place) for axis, place in enumerate(places) if place is not None]
+        at = [place for _, place in moved]
+        step = np.zeros(size)
+        step[at] = _DIFFERENCE * np.maximum(1.0, np.abs(x[at]))
+        change = drive_sides(robot, x + step, u) - drive_sides(robot, x - step, u)
+        for axis, place in moved:
+            own = list(drives[axis])
+            forces[axis, place] = change[axis] / (2.0 * step[place])
+            A[own, place] = change[own] / (2.0 * step[place])
+    try:
+        A[n : 2 * n] = np.linalg.solve(mass, forces)
+        return np.asarray(np.abs(np.linalg.eigvals(A)))
+    except np.linalg.LinAlgError:
+        return np.full(size, inf)
+
+
+def _held(robot: RobotModel, layout: StateLayout, q: Array) -> tuple[Array, Array]:
+    """Return the integrated state of an arm that its drives hold, and the outputs of the amplifiers."""
+    n, rest = robot.n, np.zeros(robot.n)
+    x, u, tau = np.zeros(layout.integrated), np.empty(n), np.empty(n)
+    compiled(robot, Payload(), Engine.PYTHON).rigid_inverse(q, rest, rest, np.zeros(6), tau)
+    x[:n] = q
+    for axis, drive in enumerate(robot.drives):
+        held = steady_drive(drive, float(q[axis]), 0.0, float(tau[axis]))
+        x[list(layout.drive(axis))] = held.states
+        u[axis] = held.output
+    return x, u
