@@ -11,11 +11,11 @@ from ropsim import robots
 from ropsim.controller import law_of
 from ropsim.flow import MoveEvent, Recording
 from ropsim.model import ControllerKind, ElasticGear, Friction, JointType, Payload, Rates, RobotModel, Tool
-from ropsim.simulation import RunOptions, run
+from ropsim.simulation import RunOptions, linear_loop, run
 from ropsim.spatial import Pose
 from ropsim.workbench import environment_of
 from support.cells import one_station
-from support.closed_loops import open_loop, postures, rated_load
+from support.closed_loops import closed_loop, postures, rated_load
 
 OVERSHOOT = 0.10
 """Most by which an axis may go beyond a small step of its reference, over the step."""
@@ -44,10 +44,10 @@ def test_every_arm_is_stable_and_overshoots_by_a_tenth_at_most(name: str) -> Non
     ticks = round((LONG_SECONDS if robots.swings(robot) else SECONDS) * controller.rates.control_hz)
     for mass in loads(robot):
         for q in postures(robot, mass):
-            loop = open_loop(robot, controller, q, rated_load(mass))
-            assert loop.closed().radius < 1.0
-            assert loop.closed(late=1).radius < 1.0
-            assert loop.closed().overshoots(ticks).max() <= OVERSHOOT
+            loop = linear_loop(robot, controller, q, rated_load(mass))
+            assert closed_loop(loop).radius < 1.0
+            assert closed_loop(loop, 1).radius < 1.0
+            assert closed_loop(loop).overshoots(ticks).max() <= OVERSHOOT
 
 
 def test_loops_of_fixed_gains_are_not_stable_with_every_load() -> None:
@@ -55,7 +55,7 @@ def test_loops_of_fixed_gains_are_not_stable_with_every_load() -> None:
     robot = robots.load("lr_mate_200id")
     fixed = robots.cascaded_controller(robot, Rates())
     empty, full = (
-        max(open_loop(robot, fixed, q, rated_load(mass)).closed().radius for q in postures(robot, mass))
+        max(closed_loop(linear_loop(robot, fixed, q, rated_load(mass))).radius for q in postures(robot, mass))
         for mass in loads(robot)
     )
     assert empty < 1.0 < full
@@ -64,8 +64,8 @@ def test_loops_of_fixed_gains_are_not_stable_with_every_load() -> None:
 def test_a_longer_delay_makes_a_loop_unstable() -> None:
     robot, controller = robots.load("scara"), robots.default_controller("scara")
     (q, *_) = postures(robot, 0.0)
-    loop = open_loop(robot, controller, q, Payload())
-    radii = [loop.closed(late=ticks).radius for ticks in (0, 4, 8)]
+    loop = linear_loop(robot, controller, q, Payload())
+    radii = [closed_loop(loop, ticks).radius for ticks in (0, 4, 8)]
     assert radii[0] < radii[1] < 1.0 < radii[2]
 
 
@@ -86,7 +86,7 @@ def test_an_arm_on_springs_is_damped_by_its_loops(softer: float) -> None:
     controller = robots.default_controller(robot)
     for mass in loads(robot):
         for q in postures(robot, mass):
-            assert open_loop(robot, controller, q, rated_load(mass)).closed().radius < 1.0
+            assert closed_loop(linear_loop(robot, controller, q, rated_load(mass))).radius < 1.0
 
 
 # ---- runs ----
