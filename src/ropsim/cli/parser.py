@@ -3,7 +3,7 @@
 import argparse
 from functools import cache
 
-from ropsim.cli.arguments import around, icr, knowledge, part, project, robot
+from ropsim.cli.arguments import around, controller, icr, knowledge, part, project, robot
 from ropsim.cli.arguments.command import Parser
 from ropsim.version import __version__
 
@@ -36,6 +36,7 @@ def build_parser() -> argparse.ArgumentParser:
     project.run(commands)
     project.repl(commands)
     project.calibrate(commands)
+    controller.controller(commands)
     icr.icr(commands)
     robot.robot(commands)
     part.part(commands)

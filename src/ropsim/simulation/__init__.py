@@ -4,6 +4,7 @@ from ropsim.flow import Fidelity as Fidelity
 from ropsim.flow import InputChange as InputChange
 from ropsim.simulation.kept.kept_plans import KeptPlans as KeptPlans
 from ropsim.simulation.kept.kept_runs import KeptRuns as KeptRuns
+from ropsim.simulation.parts.parts import mounted_load as mounted_load
 from ropsim.simulation.recording.live_sample import live_sample as live_sample
 from ropsim.simulation.records.adapting import Adaptation as Adaptation
 from ropsim.simulation.records.move_span import MoveSpan as MoveSpan

@@ -13,15 +13,15 @@ Commands: TypeAlias = "argparse._SubParsersAction[Parser]"
 
 
 _CHOICE = re.compile(r"invalid choice: '(.*)' \(choose from (.*)\)$", re.DOTALL)
-_NEGATIVE = re.compile(r"-(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?$")
+_NEGATIVE = re.compile(r"-(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?:(?:deg|mm)(?:/s)?)?$")
 
 
 class Parser(argparse.ArgumentParser):
-    """Suggests known words near to an unknown one, and accepts `-1e-3` as a number."""
+    """Suggests known words near to an unknown one, and accepts `-1e-3` and `-5deg` as numbers."""
 
     def __init__(self, **options: Any) -> None:  # noqa: ANN401 - options of argparse
         super().__init__(**options)
-        self._negative_number_matcher = _NEGATIVE  # argparse accepts no exponents before Python 3.14
+        self._negative_number_matcher = _NEGATIVE  # argparse accepts no exponents before 3.14, no units
 
     def error(self, message: str) -> NoReturn:
         """Report the error, with a similar word, and exit with 2."""

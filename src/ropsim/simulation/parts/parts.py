@@ -92,6 +92,11 @@ def payload(carried: Mapping[str, Pose], parts: Mapping[str, Part], tool: Tool |
     return _loaded(tool, tuple(bodies))
 
 
+def mounted_load(tool: Tool | None) -> Payload:
+    """Return the rigid body that an empty tool forms at the mechanical interface; None for no tool."""
+    return _loaded(tool, ())
+
+
 @lru_cache(maxsize=1024)
 def _loaded(tool: Tool | None, carried: tuple[tuple[float, tuple[float, ...], PoseTuple], ...]) -> Payload:
     """Return the one rigid body of a tool and of boxes, by their masses [kg], edges [m] and poses X_MO."""

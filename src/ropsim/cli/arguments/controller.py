@@ -1,0 +1,72 @@
+"""Commands about the controller of a cell."""
+
+import argparse
+import re
+
+from ropsim.cli.arguments.command import Commands, command
+
+_QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(deg|mm)?(/s)?\s*")
+_RANGE = re.compile(r"\s*(\d+\.?\d*)\s*(?:Hz)?\s*\.\.\s*(\d+\.?\d*)\s*(?:Hz)?\s*", re.IGNORECASE)
+
+
+def controller(commands: Commands) -> None:
+    """Add `ropsim controller`."""
+    group = commands.add_parser(
+        "controller",
+        help="show how the loops of a cell answer steps, ramps and sines",
+        description="The joint controller of a cell under test: responses and stability margins.",
+    )
+    actions = group.add_subparsers(title="actions", metavar="ACTION", required=True)
+    parser = command(
+        actions,
+        "response",
+        "controller:response",
+        "print responses of the axes and the stability margins of their loops",
+        "Without an option each axis makes a small step.",
+    )
+    parser.add_argument("path", metavar="PATH", help="project folder, its cell.toml, or one of its programs")
+    parser.add_argument("--axis", metavar="NAME", help="number of one axis, from 1, or name of its joint")
+    parser.add_argument("--station", metavar="NAME", help="whose controller (default: the first one)")
+    excitation = parser.add_mutually_exclusive_group()
+    excitation.add_argument(
+        "--step", metavar="SIZE", type=_size, help="step of the reference, such as 5deg or 2mm"
+    )
+    excitation.add_argument(
+        "--ramp", metavar="SPEED", type=_speed, help="speed of the reference from rest, such as 20deg/s"
+    )
+    excitation.add_argument(
+        "--sweep", metavar="F1..F2", type=_band, help="sines of these frequencies, such as 1..50Hz"
+    )
+    place = parser.add_mutually_exclusive_group()
+    place.add_argument("--at", metavar="LOCATION", help="where the tool is (default: where the cell begins)")
+    place.add_argument(
+        "--joints",
+        metavar="DEG",
+        nargs="+",
+        type=float,
+        help="joint coordinates in degrees (mm for sliding joints)",
+    )
+
+
+def _size(text: str) -> tuple[float, str]:
+    """Return a step in degrees or millimetres, and its unit, empty for none."""
+    found = _QUANTITY.fullmatch(text)
+    if found is None or found[3] or not float(found[1]):
+        raise argparse.ArgumentTypeError(f"`{text}` is no step such as 5deg or 2mm")
+    return float(found[1]), found[2] or ""
+
+
+def _speed(text: str) -> tuple[float, str]:
+    """Return a speed in degrees or millimetres per second, and the unit of its way, empty for none."""
+    found = _QUANTITY.fullmatch(text)
+    if found is None or (found[2] and not found[3]) or not float(found[1]):
+        raise argparse.ArgumentTypeError(f"`{text}` is no speed such as 20deg/s or 50mm/s")
+    return float(found[1]), found[2] or ""
+
+
+def _band(text: str) -> tuple[float, float]:
+    """Return the least and the greatest frequency [Hz]."""
+    found = _RANGE.fullmatch(text)
+    if found is None or not 0.0 < float(found[1]) < float(found[2]):
+        raise argparse.ArgumentTypeError(f"`{text}` is no range of frequencies such as 1..50Hz")
+    return float(found[1]), float(found[2])

@@ -1,0 +1,156 @@
+"""`ropsim controller response`: what the loops of a cell do, and what they bear."""
+
+import argparse
+import math
+
+import numpy as np
+
+from ropsim import kinematics
+from ropsim.cli.terminal.coordinates import check_coordinates, joint_coordinates
+from ropsim.cli.terminal.output import Output
+from ropsim.cli.terminal.response_text import Rest, TestedAxis, response_document, response_text
+from ropsim.core import Category, Diagnostic, RopsimError, Severity, define, did_you_mean
+from ropsim.model import Cell, JointType, Payload, RobotModel, Station
+from ropsim.records import diagnostic_document
+from ropsim.simulation import (
+    DivergedError,
+    frequency_response,
+    linear_loop,
+    margins,
+    mounted_load,
+    natural_modes,
+    ramp_response,
+    step_response,
+)
+from ropsim.spatial import Array, Pose
+from ropsim.workbench import environment_of, open_project
+
+NOT_TESTED = define(
+    "U905",
+    "controller-not-tested",
+    Severity.ERROR,
+    "a station, axis or place of `ropsim controller` is not there",
+    """
+`--station` names a station of the cell, `--axis` an axis of its robot by number from 1 or by name, `--at` a
+location of the cell that the tool of the station reaches, `--joints` has a number for each axis, `--step` and
+`--ramp` have the unit of the axis. A robot whose model has no drives follows its reference exactly: it has no
+loop to test.
+""",
+    Category.USAGE,
+)
+SMALL = {JointType.REVOLUTE: 0.5, JointType.PRISMATIC: 0.5}
+"""Step where none is stated [deg | mm]: so small that amplifiers of most arms stay below their limits."""
+_FREQUENCIES = 13
+"""Of a sweep that are printed."""
+
+
+class NotTestedError(RopsimError):
+    """There is nothing to test under this name."""
+
+
+def response(options: argparse.Namespace, output: Output) -> int:
+    """Print responses and margins of the axes of a station; return the exit code, 1 for an unstable loop."""
+    project = open_project(options.path)
+    cell = project.cell
+    if cell is None:
+        code = output.findings(project.diagnostics, project.texts)
+        output.document({"ok": False, **diagnostic_document(project.diagnostics)})
+        return code or 1
+    output.engine_note()
+    station = _station(cell, options.station)
+    robot, load = station.robot, _load(station)
+    q, place = _rest(cell, station, options)
+    axes = range(robot.n) if options.axis is None else (_axis(robot, options.axis),)
+    loop, hz = linear_loop(robot, station.controller, q, load), None
+    if options.sweep:
+        hz = np.geomspace(float(options.sweep[0]), float(options.sweep[1]), _FREQUENCIES)
+    tested, findings = list[TestedAxis](), list[Diagnostic]()
+    for axis in axes:
+        change = _change(robot, axis, options)
+        answer = None
+        try:
+            excited = ramp_response if options.ramp else step_response
+            answer = excited(robot, station.controller, q, load, (axis, change))
+        except DivergedError as error:
+            findings.append(error.diagnostic)
+        sines = frequency_response(loop, axis)
+        swept = frequency_response(loop, axis, hz) if hz is not None else None
+        tested.append(TestedAxis(axis, answer, margins(loop, axis), sines.bandwidth, swept))
+    code = output.findings(findings, project.texts)
+    rest = Rest(
+        robot, station.controller, q, place, load.mass, natural_modes(loop), is_ramp=bool(options.ramp)
+    )
+    output.text(response_text(rest, tested, output.style))
+    ok = code == 0 and all(one.margins.stable for one in tested)
+    output.document({"ok": ok, **response_document(rest, tested), **diagnostic_document(findings)})
+    return 0 if ok else 1
+
+
+def _change(robot: RobotModel, axis: int, options: argparse.Namespace) -> float:
+    """Return the step or the speed of the reference of an axis, in SI units."""
+    joint = robot.axis_joints[axis]
+    turns = joint.measure is JointType.REVOLUTE
+    value, unit = options.ramp or options.step or (SMALL[joint.measure], "")
+    if unit and unit != ("deg" if turns else "mm"):
+        moves = "turns, its unit is deg" if turns else "slides, its unit is mm"
+        raise _not_tested(f"`{unit}` for joint `{joint.name}`, which {moves}", "name one axis by `--axis`")
+    return math.radians(value) if turns else 1e-3 * value
+
+
+def _load(station: Station) -> Payload:
+    return mounted_load(station.tools.get(station.default_tool))
+
+
+def _station(cell: Cell, name: str | None) -> Station:
+    if name is not None and name not in cell.stations:
+        raise _not_tested(f"the cell has no station `{name}`", did_you_mean(name, cell.stations))
+    station = cell.stations[name] if name is not None else cell.first
+    if not station.robot.drives:
+        message = f"`{station.robot.name}` has no drives: it follows its reference exactly, there is no loop"
+        raise _not_tested(message, "`ropsim robot estimate` adds drives by stated rules")
+    return station
+
+
+def _axis(robot: RobotModel, name: str) -> int:
+    """Return the number of an axis, from 0, by its number from 1 or its name."""
+    names = [joint.name for joint in robot.axis_joints]
+    if name in names:
+        return names.index(name)
+    if name.isdecimal() and 1 <= int(name) <= robot.n:
+        return int(name) - 1
+    hint = did_you_mean(name, names) or f"there are 1 to {robot.n}: {', '.join(f'`{one}`' for one in names)}"
+    raise _not_tested(f"`{robot.name}` has no axis `{name}`", hint)
+
+
+def _rest(cell: Cell, station: Station, options: argparse.Namespace) -> tuple[Array, str]:
+    """Return where the arm rests [rad | m], and that in words."""
+    robot = station.robot
+    if options.joints:
+        if len(options.joints) != robot.n:
+            raise _not_tested(f"--joints has {len(options.joints)} numbers, the robot has {robot.n} axes", "")
+        given = joint_coordinates(robot, options.joints)
+        check_coordinates(given)
+        units = [math.radians(1.0) if one.kind is JointType.REVOLUTE else 1e-3 for one in given]
+        q = [one.value * unit for one, unit in zip(given, units, strict=True)]
+        return np.array(q), "given joint coordinates"
+    if options.at is None:
+        return station.q_start, "start of the cell"
+    if options.at not in cell.locations:
+        hint = did_you_mean(options.at, cell.locations)
+        raise _not_tested(f"the cell has no location `{options.at}`", hint)
+    if options.at in cell.located:
+        frame = cell.located[options.at]
+        raise _not_tested(f"`{options.at}` is on `{frame}`, which moves", "give --joints instead")
+    tool = station.tools.get(station.default_tool)
+    X_BT = Pose.from_tuple(environment_of(cell, station).locations[options.at][:7])
+    found = kinematics.inverse(robot, X_BT @ tool.X_MT.inverse() if tool else X_BT)
+    if not len(found.solutions):
+        raise _not_tested(
+            f"the arm does not reach `{options.at}`", "`ropsim robot ik` says what is in the way"
+        )
+    away = np.abs(found.solutions - station.q_start).max(axis=1)
+    return found.solutions[int(away.argmin())], f"location `{options.at}`"
+
+
+def _not_tested(message: str, hint: str) -> NotTestedError:
+    return NotTestedError(NOT_TESTED.at(None, message, hint=hint))

@@ -1,0 +1,230 @@
+"""Responses and margins of loops as text for a terminal, and as a document."""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import fields
+
+from ropsim.model import ControllerModel, JointType, RobotModel
+from ropsim.simulation import FrequencyResponse, Margins, TimeResponse, lag_of, step_figures
+from ropsim.spatial import Array, record
+from ropsim.views import Style, TableCell, Tone, columns_text
+
+_UNITS = {JointType.REVOLUTE: (math.degrees(1.0), "°"), JointType.PRISMATIC: (1e3, " mm")}
+_SLOWEST = 3
+"""Modes that are shown."""
+_LARGE = 1e3
+"""Factors from here on are not told apart from inf."""
+
+
+@record
+class Rest:
+    """Where loops are tested, and how they swing there.
+
+    Attributes:
+        robot: the arm.
+        controller: its controller.
+        q: coordinates at rest [rad | m], shape (n,).
+        place: that in words.
+        load: mass of the tool [kg].
+        modes: frequencies [Hz] and damping ratios of the closed loop, the slowest first.
+        is_ramp: whether references go at a speed; else they step.
+    """
+
+    robot: RobotModel
+    controller: ControllerModel
+    q: Array
+    place: str
+    load: float
+    modes: tuple[Array, Array]
+    is_ramp: bool
+
+
+@record
+class TestedAxis:
+    """An axis, and what its loop does.
+
+    Attributes:
+        axis: its number, from 0.
+        response: in time; None where the state diverged.
+        margins: of its loop.
+        bandwidth: of its loop [Hz]; NaN for none.
+        sweep: response to the sines asked for; None for none.
+    """
+
+    axis: int
+    response: TimeResponse | None
+    margins: Margins
+    bandwidth: float
+    sweep: FrequencyResponse | None
+
+
+def response_text(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> str:
+    """Return tables of responses and margins; ends in a line feed.
+
+    Args:
+        rest: where the loops are tested.
+        tested: at least one axis.
+        style: whether it has colours.
+    """
+    law, hz = rest.controller.kind.value.replace("_", " "), rest.controller.rates.control_hz
+    load = f"{rest.load:.3g} kg at the flange" if rest.load else "no load"
+    lines = [f"{rest.robot.title or rest.robot.name}: {law} at {hz} Hz, {rest.place}, {load}", ""]
+    if any(one.response for one in tested):
+        lines += [*_in_time(rest, tested, style), ""]
+    lines += [*_margins(rest, tested, style), ""]
+    if tested[0].sweep is not None:
+        lines += [*_sweeps(rest, tested, style), ""]
+    frequencies, ratios = rest.modes
+    shown = [
+        f"{one:.3g} Hz (damping {ratio:.2g})"
+        for one, ratio in zip(frequencies[:_SLOWEST].tolist(), ratios[:_SLOWEST].tolist(), strict=True)
+    ]
+    lines.append(f"slowest modes: {', '.join(shown)}" if shown else "no mode of the loops oscillates")
+    lines.append("margins and modes are those about the rest, without dry friction and limits of amplifiers")
+    return "\n".join(lines) + "\n"
+
+
+def _in_time(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> list[str]:
+    beside = ("others off\nby", "amplifier at\nlimit %")
+    header: tuple[str, ...] = ("axis", "step", "rise\nms", "overshoot\n%", "settling\nms", "left", *beside)
+    if rest.is_ramp:
+        header = ("axis", "ramp", "behind at\nthe end", "behind\nat most", *beside)
+    row = _ramp_row if rest.is_ramp else _step_row
+    rows = [tuple(row(rest, one.axis, one.response)) for one in tested if one.response is not None]
+    return columns_text(header, rows, style)
+
+
+def _ramp_row(rest: Rest, axis: int, response: TimeResponse) -> Iterator[TableCell]:
+    scale, unit = _unit(rest, axis)
+    speed = float(response.reference[-1] / response.time[-1])
+    yield TableCell(_name(rest, axis))
+    yield TableCell(f"{speed * scale:.3g}{unit}/s")
+    yield from (TableCell(f"{behind * scale:.3g}{unit}") for behind in lag_of(response))
+    yield from _beside(rest, response)
+
+
+def _step_row(rest: Rest, axis: int, response: TimeResponse) -> Iterator[TableCell]:
+    scale, unit = _unit(rest, axis)
+    figures = step_figures(response)
+    yield TableCell(_name(rest, axis))
+    yield TableCell(f"{float(response.reference[-1]) * scale:.3g}{unit}")
+    yield TableCell(_number(1e3 * figures.rise, "never"))
+    yield TableCell(f"{100.0 * figures.overshoot:.1f}")
+    yield TableCell(_number(1e3 * figures.settling, f"over {1e3 * float(response.time[-1]):.0f}"))
+    yield TableCell(f"{figures.error * scale:.2g}{unit}")
+    yield from _beside(rest, response)
+
+
+def _beside(rest: Rest, response: TimeResponse) -> Iterator[TableCell]:
+    """Yield how far other axes go, and how long the amplifier is at its limit."""
+    others = {joint.measure for k, joint in enumerate(rest.robot.axis_joints) if k != response.axis}
+    scale, unit = _UNITS[others.pop()] if len(others) == 1 else (1.0, "")
+    yield TableCell(f"{response.others * scale:.2g}{unit}")
+    full = 100.0 * response.at_limit
+    yield TableCell(f"{full:.3g}", Tone.WARNING if full else None)
+
+
+def _margins(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> list[str]:
+    header = (
+        *("axis", "bandwidth\nHz", "gain\nmargin", "at\nHz", "phase\nmargin °", "at\nHz"),
+        *("delay\nmargin ms", "Ms"),
+    )
+    rows = list[tuple[TableCell, ...]]()
+    for one in tested:
+        name, margin = TableCell(_name(rest, one.axis)), one.margins
+        if not margin.stable:
+            rows.append((name, TableCell("unstable", Tone.ERROR), *(TableCell("-"),) * 6))
+            continue
+        texts = (
+            _number(one.bandwidth, "-"),
+            f"{margin.gain:.3g}" if margin.gain < _LARGE else "large",
+            _number(margin.gain_hz, "-"),
+            f"{math.degrees(margin.phase):.0f}" if math.isfinite(margin.phase) else "-",
+            _number(margin.phase_hz, "-"),
+            _number(1e3 * margin.late, "-"),
+            f"{margin.sensitivity:.2f}",
+        )
+        rows.append((name, *map(TableCell, texts)))
+    return columns_text(header, rows, style)
+
+
+def _sweeps(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> list[str]:
+    """Return gains and phases over frequencies, an axis in two columns."""
+    names, sweeps = [_name(rest, one.axis) for one in tested], [one.sweep for one in tested if one.sweep]
+    header = ("Hz", *(f"{name}\n{what}" for name in names for what in ("dB", "°")))
+    rows = []
+    for k, hz in enumerate(sweeps[0].hz.tolist()):
+        pairs = [(one.gain[k], one.phase[k]) for one in sweeps]
+        texts = [
+            text
+            for gain, phase in pairs
+            for text in (f"{20.0 * math.log10(gain):.1f}", f"{math.degrees(phase):.0f}")
+        ]
+        rows.append((TableCell(f"{hz:.3g}"), *map(TableCell, texts)))
+    return columns_text(header, rows, style)
+
+
+def response_document(rest: Rest, tested: Sequence[TestedAxis]) -> dict[str, object]:
+    """Return all of it in SI units, with the samples; NaN and infinities are null."""
+    frequencies, ratios = rest.modes
+    return {
+        "robot": rest.robot.name,
+        "law": rest.controller.kind.value,
+        "control_hz": rest.controller.rates.control_hz,
+        "q": rest.q.tolist(),
+        "load": rest.load,
+        "modes": {"hz": frequencies.tolist(), "damping": ratios.tolist()},
+        "axes": [_axis_entry(rest, one) for one in tested],
+    }
+
+
+def _axis_entry(rest: Rest, one: TestedAxis) -> dict[str, object]:
+    numbers = {field.name: getattr(one.margins, field.name) for field in fields(one.margins)}
+    stable = numbers.pop("stable")
+    return {
+        "axis": _name(rest, one.axis),
+        "stable": stable,
+        "margins": {name: _plain(value) for name, value in numbers.items()},
+        "bandwidth_hz": _plain(one.bandwidth),
+        "ramp" if rest.is_ramp else "step": one.response and _response_entry(rest, one.response),
+        "sweep": one.sweep
+        and {
+            "hz": one.sweep.hz.tolist(),
+            "gain": one.sweep.gain.tolist(),
+            "phase": one.sweep.phase.tolist(),
+        },
+    }
+
+
+def _response_entry(rest: Rest, response: TimeResponse) -> dict[str, object]:
+    if rest.is_ramp:
+        behind, most = lag_of(response)
+        figures: dict[str, float | None] = {"behind": behind, "behind_at_most": most}
+    else:
+        found = step_figures(response)
+        figures = {field.name: _plain(getattr(found, field.name)) for field in fields(found)}
+    return {
+        **figures,
+        "others": response.others,
+        "at_limit": response.at_limit,
+        "time": response.time.tolist(),
+        "reference": response.reference.tolist(),
+        "moved": response.moved.tolist(),
+        "effort": response.effort.tolist(),
+    }
+
+
+def _unit(rest: Rest, axis: int) -> tuple[float, str]:
+    return _UNITS[rest.robot.axis_joints[axis].measure]
+
+
+def _name(rest: Rest, axis: int) -> str:
+    return rest.robot.axis_joints[axis].name
+
+
+def _number(value: float, otherwise: str) -> str:
+    return f"{value:.3g}" if math.isfinite(value) else otherwise
+
+
+def _plain(value: float) -> float | None:
+    return value if math.isfinite(value) else None

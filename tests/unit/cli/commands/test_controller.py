@@ -1,0 +1,104 @@
+"""`ropsim controller response`: tables, document, and refusals of a cell."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from ropsim.cli.testing import main
+from ropsim.workbench import open_project
+
+CELL = '[cell]\nname = "c"\n[robot]\nmodel = "{model}"\n{more}'
+PLACE = "[locations.place]\nposition = [450, 100, 300]\n"
+
+
+@pytest.fixture
+def cell(tmp_path: Path) -> Path:
+    return written(tmp_path, "puma560", PLACE)
+
+
+def written(folder: Path, model: str, more: str = "") -> Path:
+    (folder / "cell.toml").write_text(CELL.format(model=model, more=more), "utf-8")
+    return folder
+
+
+def document(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, dict[str, Any]]:
+    code = main(["controller", "response", *arguments, "--json"])
+    found: dict[str, Any] = json.loads(capsys.readouterr().out)
+    return code, found
+
+
+def test_each_axis_makes_a_small_step_and_has_margins(cell: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["controller", "response", str(cell)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == "Unimation PUMA 560: computed torque at 1000 Hz, start of the cell, no load"
+    assert [line.split()[0] for line in lines if line[:3] == "  1"] == ["1", "1"]  # a row in each table
+    assert sum("0.5°" in line for line in lines) == 6
+
+
+def test_a_step_a_ramp_and_a_sweep_are_told_in_si(cell: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    code, found = document(capsys, str(cell), "--axis", "3", "--step", "2deg")
+    (axis,) = found["axes"]
+    assert (code, found["ok"], axis["axis"], axis["stable"]) == (0, True, "3", True)
+    assert axis["step"]["reference"] == pytest.approx([np.radians(2.0)] * len(axis["step"]["time"]))
+    assert 0.0 < axis["step"]["rise"] < axis["step"]["settling"] < 0.3
+    assert axis["margins"]["gain"] > 2.0
+    _, found = document(capsys, str(cell), "--axis", "3", "--ramp", "-20deg/s")
+    ramp = found["axes"][0]["ramp"]
+    assert ramp["reference"][-1] == pytest.approx(np.radians(-20.0) * ramp["time"][-1])
+    assert abs(ramp["behind"]) < np.radians(0.01)
+    _, found = document(capsys, str(cell), "--axis", "3", "--sweep", "1..50Hz")
+    sweep = found["axes"][0]["sweep"]
+    assert (sweep["hz"][0], sweep["hz"][-1]) == (1.0, 50.0)
+    assert sweep["gain"][0] == pytest.approx(1.0, abs=0.02)
+    assert sweep["gain"][-1] < 0.5
+
+
+def test_the_arm_rests_where_it_is_asked_to(cell: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    _, at = document(capsys, str(cell), "--axis", "1", "--at", "place")
+    _, joints = document(capsys, str(cell), "--axis", "1", "--joints", *["10", "60", "-150", "0", "-60", "5"])
+    assert np.degrees(joints["q"]) == pytest.approx([10, 60, -150, 0, -60, 5])
+    project = open_project(cell)
+    assert project.cell is not None
+    start = project.cell.first.q_start
+    assert np.abs(np.array(at["q"]) - start).max() > 0.1
+
+
+@pytest.mark.parametrize(
+    ("model", "arguments", "said"),
+    [
+        ("puma560", ["--axis", "7"], "`puma560` has no axis `7`"),
+        ("puma560", ["--axis", "1", "--step", "2mm"], "`mm` for joint `1`, which turns, its unit is deg"),
+        ("puma560", ["--station", "left"], "the cell has no station `left`"),
+        ("puma560", ["--at", "plaec"], "the cell has no location `plaec`"),
+        ("puma560", ["--joints", "1", "2"], "--joints has 2 numbers, the robot has 6 axes"),
+        ("scara", ["--step", "2mm"], "`mm` for joint `1`, which turns, its unit is deg"),
+    ],
+)
+def test_what_is_not_there_is_refused(
+    model: str, arguments: list[str], said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = written(tmp_path, model, PLACE)
+    assert main(["controller", "response", str(folder), *arguments]) == 2
+    assert f"error[U905] controller-not-tested: {said}" in "".join(capsys.readouterr())
+
+
+@pytest.mark.parametrize(
+    "arguments", [["--step", "0deg"], ["--step", "5deg/s"], ["--ramp", "20deg"], ["--sweep", "50..1Hz"]]
+)
+def test_a_quantity_that_is_none_is_wrong_usage(
+    arguments: list[str], cell: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as caught:
+        main(["controller", "response", str(cell), *arguments])
+    assert caught.value.code == 2
+    assert arguments[1] in capsys.readouterr().err
+
+
+def test_an_unstable_loop_is_an_error(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    gains = ", ".join(["4000"] * 6)
+    wild = written(tmp_path, "puma560", f"[controller]\nkp = [{gains}]\n")
+    assert main(["controller", "response", str(wild), "--axis", "1"]) == 1
+    assert "unstable" in "".join(capsys.readouterr())
