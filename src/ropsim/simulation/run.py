@@ -8,6 +8,7 @@ plant follows them.
 
 from collections.abc import Mapping
 
+from ropsim.controller import LawError
 from ropsim.flow import Recording
 from ropsim.icr import Program
 from ropsim.model import Cell
@@ -15,6 +16,7 @@ from ropsim.simulation.acting import act
 from ropsim.simulation.findings.checks import findings_at
 from ropsim.simulation.grips.handing import find_pulls
 from ropsim.simulation.recording.record import recording_of
+from ropsim.simulation.servo.diagnostics import DivergedError, ServoArrayError
 from ropsim.simulation.state.cell_run import CellRun
 from ropsim.simulation.state.run_options import RunOptions
 from ropsim.simulation.station.start import start_run
@@ -26,7 +28,8 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
     """Run verified programs in a cell and return the recording with all findings.
 
     A move that cannot be made becomes a finding on its source line and is skipped; the program goes on, so
-    that one run shows all these lines.
+    that one run shows all these lines. Where the state of an arm becomes NaN or infinite, or a law fails, the
+    run ends with a finding on the line (S701, C601); the recording has what was until then.
 
     Args:
         cell: static model.
@@ -35,7 +38,6 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
 
     Raises:
         OptionError: S703, an option cannot be.
-        DivergedError: S701, the state has become NaN or infinite; it names the source line.
     """
     state = start_run(cell, options)
     for name, program in programs.items():
@@ -77,5 +79,12 @@ def _work_on(state: CellRun, name: str, programs: Mapping[str, Program]) -> None
         next(state.at_work[name])
     except StopIteration:
         del state.at_work[name]
+    except (DivergedError, LawError, ServoArrayError) as error:
+        at = state.stations[name]
+        at.tick, at.is_lost = at.plant.tick, True
+        state.findings.append(error.diagnostic)
+        for other in state.at_work:
+            state.stations[other].unfinished = True
+        state.at_work.clear()
     if len(state.findings) > known:
         state.findings[known:] = findings_at(name, programs, state.findings[known:])

@@ -7,12 +7,13 @@ import pytest
 
 from ropsim import icr, robots
 from ropsim.controller import CompiledLaw, LawTraits
+from ropsim.core import Category
 from ropsim.flow import MoveEvent, Recording
 from ropsim.model import Cell, InputKind, Rates, Signal, Tool
-from ropsim.simulation import DivergedError, Fidelity, RunOptions, run
+from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.simulation.testing import SPEED_TIME
 from support.cells import one_station, with_station
-from support.compiled import code_of
+from support.compiled import code_of, station_code
 
 LONGEST = 2.0
 SIGNALS = {
@@ -77,11 +78,11 @@ def test_a_diverged_arm_is_reported_at_the_line_and_pass_that_it_was_in(cell: Ce
     controller = cell.first.controller
     coarse = with_station(cell, controller=replace(controller, rates=Rates(50, 4, plant_steps=2)))
     program = code_of(coarse, "mov home", "repeat 2", "  mov joints (90, 60, -150, 0, -60, 0)", "endr")
-    with pytest.raises(DivergedError) as caught:
-        run(coarse, {"robot": program}, RunOptions())
-    found = caught.value.diagnostic
+    recording = run(coarse, {"robot": program}, RunOptions())
+    (found,) = (one for one in recording.findings if one.is_error)
     assert found.span is not None
     assert (found.code, found.span.line, found.label) == ("S701", 5, "pass 1")
+    assert found.category is Category.UNFINISHED
 
 
 GONE = """\
@@ -94,6 +95,41 @@ def law(par, state, ref, meas, load, aux, out):
 """
 
 
+def gone_after(ticks: float) -> CompiledLaw:
+    traits = LawTraits(InputKind.VOLTAGE, ("k",))
+    return CompiledLaw("gone", GONE, ("ticks",), np.full((1, 6), ticks), traits)
+
+
+def test_what_was_until_a_state_is_no_number_is_kept(cell: Cell) -> None:
+    """The law puts out NaN at tick 700 of the move: rows until then are those of a run where it does not."""
+    program = code_of(cell, "wait 0.5 s", "mov joints (90, 60, -150, 0, -60, 0)")
+    name = cell.first.name
+    lost, whole = (
+        run(cell, {name: program}, RunOptions(laws={name: gone_after(ticks)})) for ticks in (700.0, 1e9)
+    )
+    (found,) = (one for one in lost.findings if one.is_error)
+    assert (found.code, found.data["tick"]) == ("S701", 701)
+    assert 0.7 <= lost.duration <= 0.704 < whole.duration  # up to the next row
+    sound = int(np.flatnonzero(lost.time <= 0.7)[-1]) + 1
+    for channel in ("q", "qd", "current", "q_ref"):
+        assert np.isfinite(lost.rows(channel)).all()
+        np.testing.assert_array_equal(lost.rows(channel)[:sound], whole.rows(channel)[:sound])
+
+
+def test_another_station_is_recorded_until_then(cell: Cell) -> None:
+    first = cell.first
+    both = replace(cell, stations={first.name: first, "other": replace(first, name="other")})
+    lines = ("wait 0.5 s", "mov joints (90, 60, -150, 0, -60, 0)")
+    programs = {first.name: code_of(both, *lines), "other": station_code(both, "other", *lines)}
+    laws = {first.name: gone_after(700.0)}
+    lost, whole = (run(both, programs, RunOptions(laws=some)) for some in (laws, {}))
+    assert "S701" in {one.code for one in lost.findings}
+    rows = lost.rows("other/q")
+    np.testing.assert_array_equal(
+        rows[lost.time <= 0.7], whole.rows("other/q")[: len(rows)][lost.time <= 0.7]
+    )
+
+
 @pytest.mark.parametrize("number", [1, 2, 3])
 def test_a_state_that_is_no_number_is_told_on_the_move_of_the_stretch_in_which_it_came(
     cell: Cell, number: int
@@ -101,18 +137,15 @@ def test_a_state_that_is_no_number_is_told_on_the_move_of_the_stretch_in_which_i
     places = ((400, -200), (400, 0), (500, 0), (500, 100))
     flown = [f"lin ({x}, {y}, 300; rpy 180 0 0) speed 100 blend 10" for x, y in places[1:]]
     program = code_of(cell, "mov (400, -200, 300; rpy 180 0 0)", *flown, "lin (400, 100, 300; rpy 180 0 0)")
-    name, traits = cell.first.name, LawTraits(InputKind.VOLTAGE, ("k",))
+    name = cell.first.name
 
     def ran(ticks: float) -> Recording:
-        law = CompiledLaw("gone", GONE, ("ticks",), np.full((1, 6), ticks), traits)
-        return run(cell, {name: program}, RunOptions(laws={name: law}))
+        return run(cell, {name: program}, RunOptions(laws={name: gone_after(ticks)}))
 
     move = ran(1e9).events_of(MoveEvent)[number]
-    with pytest.raises(DivergedError) as caught:
-        ran((move.time + 0.5 * move.duration) * 1000.0)
-    span = caught.value.diagnostic.span
+    (found,) = (one for one in ran((move.time + 0.5 * move.duration) * 1000.0).findings if one.is_error)
     assert move.origin is not None
-    assert span == move.origin.span
+    assert (found.code, found.span) == ("S701", move.origin.span)
 
 
 def test_how_far_an_arm_is_from_its_target_is_told_in_degrees(cell: Cell) -> None:

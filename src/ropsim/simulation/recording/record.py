@@ -89,7 +89,8 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
             mine,
             _slowed_lines(run, source),
         )
-        judged += findings_at(name, programs, station_findings(finished))
+        if not at.is_lost:
+            judged += findings_at(name, programs, station_findings(finished))
     for at in run.stations.values():
         for body, profile in at.fingers.items():
             channels[channel_name("q", body)] = finger_channel(at.station.name, profile.rows(time))

@@ -29,6 +29,11 @@ class Plant(Protocol):
         ...
 
     @property
+    def tick(self) -> int:
+        """Return the control tick that it has come to."""
+        ...
+
+    @property
     def record_ticks(self) -> int:
         """Return the control ticks between two recorded rows."""
         ...

@@ -77,6 +77,10 @@ class RowLog:
             self._table = grown
         return self._table, begin
 
+    def rewind(self, tick: int) -> None:
+        """Drop the rows behind a tick."""
+        self._rows = min(self._rows, max((tick - self._first_tick) // self._decimation + 1, 0))
+
     def at(self, tick: float) -> Array:
         """Return the row at a tick, linear between two rows, outside the nearest end; shape (width,)."""
         place = (tick - self._first_tick) / self._decimation

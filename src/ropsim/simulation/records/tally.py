@@ -50,6 +50,10 @@ class Tally:
         """Return the table with ticks counted from a tick on, shape (4, width)."""
         return np.asarray(self._table - np.array([[0.0], [tick], [0.0], [tick]]))
 
+    def restore(self, table: Array) -> None:
+        """Take back what was entered since a copy of the table was made, shape (4, width)."""
+        self._table[:] = table
+
     def merge(self, tick: int, table: Array) -> None:
         """Enter another tally, of later ticks.
 

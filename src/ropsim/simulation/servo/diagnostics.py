@@ -1,6 +1,6 @@
 """Errors of a servo simulation."""
 
-from ropsim.core import RopsimError, Severity, define
+from ropsim.core import Category, RopsimError, Severity, define
 
 NO_DRIVES = define(
     "S700",
@@ -20,14 +20,17 @@ DIVERGED = define(
     "S701",
     "state-not-finite",
     Severity.ERROR,
-    "the simulated state has become NaN or infinite",
+    "the simulated state has become NaN or grows beyond all bounds",
     """
+The run ends there. The recording has all until the last tick at which each number was finite and below 1e12
+in SI units; its time is no cycle time, and limits of the station are not judged.
+
 Either reference, payload or gains hold NaN, or the integration step is too long for the fastest motion of the
 plant: a fixed-step Runge-Kutta integration is stable while step times fastest eigenvalue stays below about
 2.8. Very light links without motor inertia, very small inductances and very high gains make fast plants.
 
-The message names the first control tick at whose end a number was not finite, and of the numbers that were
-not finite there the one from which the others follow: what the joint controller put out, what it remembers,
+The message names the first control tick at whose end a number was not so, and of these numbers
+the one from which the others follow: what the joint controller put out, what it remembers,
 the reference, the drive, the arm.
 
 Where friction d stops an inertia J within a fraction of an integration step dt, the message names the axis
@@ -37,6 +40,7 @@ geared axis moves. `ropsim robot estimate` adds them (S705).
 Otherwise raise `plant_steps` in the controller's rates, or look for a gain, a mass or an inductance that is
 off by a power of ten.
 """,
+    Category.UNFINISHED,
 )
 
 STEEP_FRICTION = define(

@@ -1,4 +1,4 @@
-"""Report of a state that has become NaN or infinite: the time, and the first faulty part."""
+"""Report of a state that has become NaN or grows beyond all bounds: the time, and the first faulty part."""
 
 from collections.abc import Callable
 
@@ -10,15 +10,25 @@ from ropsim.simulation.servo.state import ServoState, StateLayout
 from ropsim.simulation.servo.stiffness import STEEP_HINT, steep_axes, steep_words
 from ropsim.spatial import Array
 
+LARGEST = 1e12
+"""Largest magnitude of a coordinate, speed or state of a drive in SI units; pressures of oil are 1e8."""
 
-def first_fault(values: Array, ticks: int, advance: Callable[[int], None]) -> int:
-    """Return the number of ticks after which a state vector is not finite any more; it keeps its state there.
+
+def is_sound(values: Array, layout: StateLayout) -> bool:
+    """Return whether all of a state vector is finite, and what is integrated not beyond all bounds."""
+    integrated = values[: layout.integrated]
+    return bool((np.abs(integrated) < LARGEST).all() and np.isfinite(values).all())
+
+
+def first_fault(values: Array, layout: StateLayout, ticks: int, advance: Callable[[int], None]) -> int:
+    """Return the number of ticks after which a state vector is not sound any more; it keeps its state there.
 
     A slice is one call, and a NaN shows at its end only; so it is repeated tick by tick. A value may become
     finite again (a counter that is reset), so every tick is checked.
 
     Args:
         values: the state vector, shape (m,), before the first tick; it is advanced.
+        layout: of the vector.
         ticks: of the slice.
         advance: advances the vector by the tick of a number, from 0; an `ArithmeticError` or a `ValueError`
             is also a fault.
@@ -28,13 +38,13 @@ def first_fault(values: Array, ticks: int, advance: Callable[[int], None]) -> in
             advance(k)
         except (ArithmeticError, ValueError):  # plain Python raises where compiled code yields NaN
             return k + 1
-        if not np.isfinite(values).all():
+        if not is_sound(values, layout):
             return k + 1
     return ticks
 
 
 def diverged(robot: RobotModel, state: ServoState, rates: Rates) -> DivergedError:
-    """Return the error of a state at the first tick at which it is not finite.
+    """Return the error of a state at the first tick at which it is not sound.
 
     Args:
         robot: the arm.
@@ -44,7 +54,7 @@ def diverged(robot: RobotModel, state: ServoState, rates: Rates) -> DivergedErro
     time = state.tick / rates.control_hz
     what = _first(robot, state.layout, state.values)
     when = f"{time:.6g} s (control tick {state.tick})"
-    message = f"{what} is not finite any more at {when}; all numbers must be finite"
+    message = f"{what} at {when}; all numbers must be finite, and in SI units below {LARGEST:g}"
     hint = "look for a NaN in reference, payload, gains or a law of your own, or raise `plant_steps`"
     steep = steep_axes(robot, rates)
     if steep:
@@ -55,7 +65,7 @@ def diverged(robot: RobotModel, state: ServoState, rates: Rates) -> DivergedErro
 
 
 def _first(robot: RobotModel, layout: StateLayout, values: Array) -> str:
-    """Return the part of a state vector that is not finite: causes come first."""
+    """Return the part of a state vector that is not sound, and why: causes come first."""
     every = tuple(range(layout.n))
     places = [
         ("output of the joint controller", every, layout.output),
@@ -67,10 +77,13 @@ def _first(robot: RobotModel, layout: StateLayout, values: Array) -> str:
         ("coordinate", every, layout.q),
     ]
     for name, axes, place in places:
-        bad = np.flatnonzero(~np.isfinite(values[place]))
+        largest = LARGEST if place.stop <= layout.integrated else np.inf
+        bad = np.flatnonzero(~(np.abs(values[place]) < largest))
         if len(bad):
-            return f"the {name} of joint `{robot.axis_joints[axes[int(bad[0])]].name}`"
-    return "the state"
+            value = values[place][bad[0]]
+            why = f"is {value:.3g}" if np.isfinite(value) else "is not finite any more"
+            return f"the {name} of joint `{robot.axis_joints[axes[int(bad[0])]].name}` {why}"
+    return "the state is not finite any more"
 
 
 def _rows(place: slice, n: int) -> list[slice]:

@@ -7,6 +7,7 @@ from there on nothing need be simulated that is known.
 from collections.abc import Callable
 from typing import TypeAlias
 
+from ropsim.core import RopsimError
 from ropsim.flow import JointReference
 from ropsim.model import Payload
 from ropsim.simulation.records.kept_results import KeptResults
@@ -31,9 +32,14 @@ def driven_anew(
     recorder: Recorder,
     aux: Array,
 ) -> ServoState:
-    """Follow a referencewithout using kept responses."""
+    """Follow a reference without using kept responses."""
     del station
-    after = servo.run(state, reference, payload, recorder, aux)
+    before = recorder.tally.table.copy()
+    try:
+        after = servo.run(state, reference, payload, recorder, aux)
+    except RopsimError:
+        recorder.rewind(state.tick, before)
+        raise
     recorder.take()
     return after
 

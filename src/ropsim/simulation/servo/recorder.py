@@ -32,11 +32,12 @@ class Recorder:
         self, robot: RobotModel, start: ServoState, decimation: int, most_rows: int = MOST_ROWS
     ) -> None:
         chains = structure_of(robot).drives
+        self._robot = robot
         self._layout = LogLayout.of(chains)
         self._log = RowLog(self._layout.width, start.tick, decimation, most_rows)
         self._tally = Tally(judged(chains), self._layout.width)
         if self._log.first_tick == start.tick:
-            self._log.begin(self._first(robot, start))
+            self._log.begin(self._row_of(start))
 
     @property
     def decimation(self) -> int:
@@ -74,6 +75,21 @@ class Recorder:
 
     def take(self) -> None:
         """Take notice that the rows claimed have been written."""
+
+    def rewind(self, tick: int, table: Array) -> None:
+        """Drop the rows behind a tick, and what the tally has of them.
+
+        Args:
+            tick: of the last row that is kept.
+            table: of the tally at that tick, shape (4, w).
+        """
+        self._log.rewind(tick)
+        self._tally.restore(table)
+
+    def freeze(self, state: ServoState, ticks: int) -> None:
+        """Repeat a state for some ticks: that of an arm of which nothing more is known."""
+        row = self._row_of(state)
+        self.enter(state.tick, np.tile(row, (ticks, 1)), self._tally.empty().table)
 
     def slice_log(self) -> SliceLog:
         """Return a log for a single slice, of the same width."""
@@ -118,9 +134,8 @@ class Recorder:
     def _named(self, table: Array) -> dict[str, Array]:
         return {field.name: table[:, field.place] for field in self._layout.fields}
 
-    def _first(self, robot: RobotModel, start: ServoState) -> Array:
-        """Return the row of the start."""
+    def _row_of(self, state: ServoState) -> Array:
         row = np.empty(self._layout.width)
-        row[self._layout.field("q_ref").place], row[self._layout.field("qd_ref").place] = start.reference[:2]
-        observe(robot, start.values[: start.layout.integrated], start.output, row)
+        row[self._layout.field("q_ref").place], row[self._layout.field("qd_ref").place] = state.reference[:2]
+        observe(self._robot, state.values[: state.layout.integrated], state.output, row)
         return row

@@ -30,7 +30,7 @@ from ropsim.simulation.servo.checks import (
     check_vector,
 )
 from ropsim.simulation.servo.diagnostics import DivergedError
-from ropsim.simulation.servo.divergence import diverged, first_fault
+from ropsim.simulation.servo.divergence import diverged, first_fault, is_sound
 from ropsim.simulation.servo.judged import full_values
 from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
@@ -207,13 +207,13 @@ class Servo:
             raise self._diverged(state, reference, signals, call, recorder) from error
         except (IndexError, StoppedError) as error:
             raise failed(self.law, error) from error
-        if not np.isfinite(self.bench.values).all():
+        if not is_sound(self.bench.values, self.layout):
             raise self._diverged(state, reference, signals, call, recorder)
 
     def _diverged(
         self, state: ServoState, reference: "_Rows", signals: Array, call: Compiled, recorder: Log
     ) -> DivergedError:
-        """Return the error of a slice at whose end the state was not finite: at the tick where that began."""
+        """Return the error of a slice at whose end the state was not sound: at the tick where that began."""
         values, no_log, no_tally = self.bench.values, np.empty((1, 1)), np.zeros_like(recorder.tally.table)
         values[:] = state.values
 
@@ -221,7 +221,7 @@ class Servo:
             rows = (array[k : k + 1] for array in reference)
             call(*rows, signals[k : k + 1], no_log, state.tick + k, state.tick + k + 2, 0, no_tally)  # no row
 
-        ticks = first_fault(values, len(signals), advance)
+        ticks = first_fault(values, self.layout, len(signals), advance)
         after = ServoState(state.tick + ticks, values.copy(), self.layout)
         return diverged(self.robot, after, Rates(self.control_hz, plant_steps=self.plant_steps))
 

@@ -50,6 +50,11 @@ class TickRecorder(Recorder):
         """Drop the coordinates before a tick."""
         self._past.forget(tick)
 
+    def rewind(self, tick: int, table: Array) -> None:
+        """Drop the rows behind a tick, and what the tally has of them; see `Recorder.rewind`."""
+        self._written.clear()
+        super().rewind(tick, table)
+
     def take(self) -> None:
         """Keep the due ones of the rows that have been written since the last call."""
         if not self._written:

@@ -55,6 +55,7 @@ class StationRun:
         in_vain: whether its wait is endless; the program is over then.
         dismissed: whether the stations that it served have ended; the program is over then.
         unfinished: whether the run was ended, by hand or by its longest time, before the program.
+        is_lost: whether nothing is known of its arm any more: its state diverged, or its law failed.
         cut_short: whether `last_tick` ended its standing still, or a hand its move; the program is over then.
         hands: names of the bodies of its tools.
         hz: rate of the joint controller [Hz].
@@ -87,6 +88,7 @@ class StationRun:
     dismissed: bool = False
     unfinished: bool = False
     cut_short: bool = False
+    is_lost: bool = False
     hands: frozenset[str] = field(init=False)
     hz: int = field(init=False)
 

@@ -51,6 +51,11 @@ class KinematicPlant:
         return np.zeros(len(self._q))
 
     @property
+    def tick(self) -> int:
+        """Return the control tick that it has come to."""
+        return self._tick
+
+    @property
     def record_ticks(self) -> int:
         """Return the control ticks between two recorded rows."""
         return self._log.decimation

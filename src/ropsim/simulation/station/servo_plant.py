@@ -1,18 +1,22 @@
 """The servo-driven arm as a plant: true drives and dynamics, in compiled slices."""
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
+from ropsim.core import RopsimError
 from ropsim.flow import JointReference
 from ropsim.model import Cell, Payload, Station
 from ropsim.planning import Sample
 from ropsim.simulation.records.plant import constant
 from ropsim.simulation.records.tally import Tally
 from ropsim.simulation.servo.checks import check_signals
+from ropsim.simulation.servo.diagnostics import DivergedError
 from ropsim.simulation.servo.kept_drives import driven_anew
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.servo import Servo
+from ropsim.simulation.servo.state import ServoState
 from ropsim.simulation.servo.tick_recorder import TickRecorder
 from ropsim.simulation.state.run_options import RunOptions
 from ropsim.spatial import Array
@@ -51,6 +55,7 @@ class ServoPlant:
         others = len(cell.stations) + len(cell.devices) > 1
         kind = TickRecorder if others else Recorder
         self._recorder = kind(robot, self._state, record_ticks, options.most_rows)
+        self._is_lost = False
 
     @property
     def q(self) -> Array:
@@ -77,12 +82,35 @@ class ServoPlant:
         """Return the worst of all control ticks so far."""
         return self._recorder.tally
 
+    @property
+    def tick(self) -> int:
+        """Return the control tick that it has come to."""
+        return self._state.tick
+
     def follow(self, reference: JointReference, payload: Payload) -> None:
-        """Advance by one control tick per row of `reference`, in one compiled call at the most."""
+        """Advance by one control tick per row of `reference`, in one compiled call at the most.
+
+        After an error it stands at the end of the last tick at which all its numbers were finite, and stays
+        there.
+        """
+        if self._is_lost:
+            self._recorder.freeze(self._state, reference.ticks)
+            self._state = replace(self._state, tick=self._state.tick + reference.ticks)
+            return
+        try:
+            self._state = self._driven(reference, payload)
+        except DivergedError as error:
+            self._is_lost = True
+            if sound := int(str(error.diagnostic.data["tick"])) - 1 - self._state.tick:
+                self._state = self._driven(reference.part(0, sound), payload)
+            raise
+        except RopsimError:
+            self._is_lost = True
+            raise
+
+    def _driven(self, reference: JointReference, payload: Payload) -> ServoState:
         aux = self._signals(reference.ticks)
-        self._state = self._drive(
-            self._name, self._servo, self._state, reference, payload, self._recorder, aux
-        )
+        return self._drive(self._name, self._servo, self._state, reference, payload, self._recorder, aux)
 
     def hold(self, q: Array, ticks: int, payload: Payload) -> None:
         """Advance by `ticks` control ticks with a constant reference."""
