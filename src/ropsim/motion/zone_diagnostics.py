@@ -14,7 +14,10 @@ ends or has to wait for the arm: before a gripper, an output, an input that is r
 turns back on itself; where the arm is at the target of the move already, or the next move has the same one;
 where the controller may not look far enough ahead; and, at corners of more than a right angle and next to
 moves in joint space, where the zone is so small that to slow down for its bend, or for what joints can do
-there, takes longer than to stop. The message says which of these it is.
+there, takes longer than to stop. The message says which of these it is. Each reason is reported once for a
+line, with the number of passes, or of the points of a list, at which the arm stops, and where the first of
+them is. That a list of points ends with the program, or begins where the arm stands, is no loss and is not
+reported.
 
 **How to mend it.** Give the move `fine` if the stop is meant. Otherwise set the output on the path
 (`at 5 mm before end do set valve on`), read the input earlier, shift the point, or give a larger zone.

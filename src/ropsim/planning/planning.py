@@ -249,14 +249,22 @@ def _time_alone(move: PlannedMove) -> float:
 
 
 def _blends(chain: MotionChain, moves: list[PlannedMove], findings: list[Diagnostic]) -> list[Blend | None]:
-    """Return the rounded blends between moves, None where the arm stops or where nothing moves."""
+    """Return the rounded blends between moves, None where the arm stops or where nothing moves.
+
+    Where the arm is at the target of a move already, that is told only if it flows there: not where it stands
+    before the first move, nor behind a move that is told to have the same target.
+    """
     blends: list[Blend | None] = []
+    stands = True
     for before, behind in pairwise(moves):
         found = blend_at(chain, before, behind)
         if isinstance(found, Stop):
-            findings += stopped(before.move, found)
+            if not (stands and found is Stop.NO_WAY_TO):
+                findings += stopped(before.move, found)
+            stands = found in (Stop.NO_WAY_TO, Stop.NO_WAY_ON)
             blends.append(None)
         else:
+            stands = False
             if not isinstance(found, Passage):
                 findings += clipped(before.move, found)
             blends.append(found)

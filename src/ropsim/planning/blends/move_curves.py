@@ -109,6 +109,7 @@ def _as_curves(move: PlannedMove, lines: int, curves: Sequence[MoveCurve]) -> Di
             "curves": len(curves),
             "deviation_m": deviation,
             "turn_rad": turn,
+            **origin.data,
         },
     )
 
