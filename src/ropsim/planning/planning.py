@@ -8,6 +8,7 @@ from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.model import Payload, RobotModel
 from ropsim.motion import TIME_LAWS, Infeasible, JointBounds, Ticks, own_law_of
+from ropsim.planning.achieved.helpful_limits import AchievedMotion
 from ropsim.planning.achieved.reached_speeds import reached_speeds, singularity_at
 from ropsim.planning.achieved.zones import achieved_zones, clipped, stopped
 from ropsim.planning.blends.blend import Blend, Passage, Stop
@@ -163,7 +164,8 @@ def _planned(
         lambda part: singularity_at(by_joint_limits.retiming, part, chain.robot),
     )
     zones = achieved_zones(chain.robot, moves, by_joint_limits.blends, by_joint_limits.retiming.motion)
-    reached = reached_speeds(moves, chosen.timing, by_joint_limits.retiming, chain.robot, rules)
+    achieved = AchievedMotion(moves, by_joint_limits.blends, bounds, Ticks(period), rules)
+    reached = reached_speeds(achieved, chosen.timing, by_joint_limits.retiming, chain.robot)
     return in_ticks(chain, moves, zones, timing, retimed, reached, findings)
 
 
