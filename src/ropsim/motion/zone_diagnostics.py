@@ -61,9 +61,10 @@ LINES_AS_CURVE = define(
     """
 Lines that are shorter than the way of speeding up and slowing down, with zones between them, are flown as one
 curve of the tool, as the compressors of controllers do it: were each corner rounded by itself, the tool would
-slow down at each. The message gives the number of lines, and how far the curve is from them at most, in
-distance and in orientation; it is never farther than the zones allow. Sharp corners keep their own zones, and
-so do points where no curve stays within the zone. Long lines stay lines. Triggers act where the curve passes
+slow down at each. The message gives the number of lines, and how far the tool is from them at most, in
+distance and in orientation, on the curves and in the zones of the corners between them; it is never farther
+than the zones allow. Sharp corners keep their own zones, and so do points where no curve stays within the
+zone. Long lines stay lines. Triggers act where the curve passes
 their points.
 
 **How to mend it.** Nothing is wrong. Give smaller zones where the tool has to be nearer to the points, larger

@@ -9,6 +9,7 @@ from ropsim.flow import MoveInstruction
 from ropsim.model import Payload, RobotModel
 from ropsim.motion import TIME_LAWS, Infeasible, JointBounds, Ticks, own_law_of
 from ropsim.planning.achieved.helpful_limits import AchievedMotion
+from ropsim.planning.achieved.lines_as_curves import lines_as_curves
 from ropsim.planning.achieved.reached_speeds import reached_speeds, singularity_at
 from ropsim.planning.achieved.zones import achieved_zones, clipped, stopped
 from ropsim.planning.blends.blend import Blend, Passage, Stop
@@ -163,6 +164,7 @@ def _planned(
         chain.robot,
         lambda part: singularity_at(by_joint_limits.retiming, part, chain.robot),
     )
+    findings += lines_as_curves(chain, moves, by_joint_limits.blends)
     zones = achieved_zones(chain.robot, moves, by_joint_limits.blends, by_joint_limits.retiming.motion)
     achieved = AchievedMotion(moves, by_joint_limits.blends, bounds, Ticks(period), rules)
     reached = reached_speeds(achieved, chosen.timing, by_joint_limits.retiming, chain.robot)
