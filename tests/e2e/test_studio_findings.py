@@ -77,3 +77,34 @@ def test_a_mended_error_goes_while_the_run_of_the_mended_text_goes_on(fresh: Stu
     rows(fresh, "pick_upx").wait_for()
     fresh.page.keyboard.press("Backspace")
     gone(fresh, "pick_upx", goes_on(fresh, run))
+
+
+TWO_STOPS = """\
+program first_cell
+units mm, deg, s
+
+repeat 2
+  wait 0.1 s
+  mov pick_up above 100
+  mov pick_up above 60
+endr
+"""
+"""With a zone the last move has two reasons to stop: the program waits, and it ends."""
+
+
+def test_two_reasons_to_stop_on_one_line_are_two_rows_and_two_marks(fresh: StudioPage) -> None:
+    before = fresh.state()
+    fresh.write(TWO_STOPS)
+    fresh.append(7, " blend 20 mm")
+    fresh.page.keyboard.press("Escape")
+    fresh.rerun(before["shown"])
+    fresh.show("Problems")
+    rows(fresh, "M560").nth(1).wait_for()
+    said = rows(fresh, "M560").all_text_contents()
+    assert len(said) == 2
+    assert [one for one in said if "the program waits next" in one] != []
+    assert [one for one in said if "the program ends" in one] != []
+    fresh.document("main.task")
+    fresh.read_about(marks(fresh).first, fresh.page.locator(".cm-tooltip", has_text="the program waits next"))
+    shown = fresh.page.locator(".cm-tooltip").all_text_contents()
+    assert any("the program ends" in one for one in shown)

@@ -47,7 +47,7 @@ def check(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     done = flown(CHAIN, points, zone, speed)
     said = [finding.data for finding in done.findings if finding.code == "M576"]
     places = positions_of(CHAIN, done)
-    if said and said[0]["flown"] == len(points) - 1:
+    if said and said[0]["lines"] == len(points) - 1:
         assert distances(places, points).max() <= float(str(said[0]["deviation_m"])) + 1e-7
     np.testing.assert_allclose(places[-1], points[-1], atol=1e-9)
     ends = [move.last for move in done.moves]

@@ -41,6 +41,20 @@ test('what two sources say of one place is listed once', () => {
   expect(mergeProblems(sources)).toEqual([PROBLEM])
 })
 
+test('one source may say several things of one place, but nothing twice', () => {
+  const stop = { ...PROBLEM, code: 'M560', message: 'the arm stops: it turns back' }
+  const other = { ...stop, message: 'the arm stops: the program waits' }
+  expect(mergeProblems(new Map([['run', [stop, other, { ...stop }]]]))).toEqual([stop, other])
+  expect(
+    mergeProblems(
+      new Map([
+        ['lsp', [stop]],
+        ['run', [other]],
+      ]),
+    ),
+  ).toEqual([stop])
+})
+
 test('a finding in a file that is no document has the name of the file', () => {
   const span = { source: '/cells/one/robots/arm.urdf', line: 104, column: 3, end_line: 104, end_column: 9 }
   const finding = { ...FINDING, span }

@@ -29,6 +29,7 @@ test.each([
   ['document', { document: 'cell.toml' }],
   ['code', { code: 'S721' }],
   ['severity', { severity: 'error' }],
+  ['reason', { message: 'joint `2` stands still' }],
 ] as const)('another %s is another row', (_, change) => {
   expect(grouped([PROBLEM, { ...PROBLEM, ...change }])).toHaveLength(2)
 })

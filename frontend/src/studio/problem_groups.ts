@@ -23,9 +23,10 @@ export function grouped(problems: readonly Problem[]): readonly ProblemGroup[] {
   })
 }
 
-/** Findings of one kind on one line differ in the numbers of their pass; without a line the words count. */
+/** Findings of one kind on one line may differ in their numbers, and without a line or a code in nothing. */
 function keyOf({ document, line, severity, code, message, follows }: Problem): string {
-  return [document, line, severity, code, follows?.line, line > 0 && code ? '' : message].join('|')
+  const words = line > 0 && code ? message.replace(/-?\d+(\.\d+)?(e-?\d+)?/g, '0') : message
+  return [document, line, severity, code, follows?.line, words].join('|')
 }
 
 /** Groups in their order, but what likely follows from a line stands behind what is found there. */

@@ -50,19 +50,23 @@ export function problemOf(finding: Finding, documentOf: (source: string) => stri
   }
 }
 
-/** Worst first, then by document and line; what two sources say of one place is listed once. */
+/** The place of a problem with its code; without a line its words are part of it. */
+function placeOf({ document, file, line, column, code, time, message }: Problem): string {
+  return [document, file, line, column, code, time, line === 0 ? message : ''].join('|')
+}
+
+/**
+ * Worst first, then by document and line. What two sources say of one place is listed once; one source may say
+ * several things there, such as two reasons for which the arm stops.
+ */
 export function mergeProblems(sources: ReadonlyMap<string, readonly Problem[]>): readonly Problem[] {
-  const seen = new Set<string>()
+  const said = new Set<string>()
   const merged: Problem[] = []
   for (const problems of sources.values()) {
-    for (const problem of problems) {
-      const { document, file, line, column, code, time } = problem
-      const key = [document, file, line, column, code, time].join('|')
-      const bare = problem.line === 0 ? `${key}|${problem.message}` : key
-      if (seen.has(bare)) continue
-      seen.add(bare)
-      merged.push(problem)
-    }
+    const fresh = problems.filter(problem => !said.has(placeOf(problem)))
+    const unique = new Map(fresh.map(problem => [`${placeOf(problem)}|${problem.message}`, problem]))
+    merged.push(...unique.values())
+    for (const problem of fresh) said.add(placeOf(problem))
   }
   return merged.sort(
     (a, b) =>

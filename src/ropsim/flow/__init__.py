@@ -39,6 +39,7 @@ from ropsim.flow.instructions import GripAction as GripAction
 from ropsim.flow.instructions import GripInstruction as GripInstruction
 from ropsim.flow.instructions import Guard as Guard
 from ropsim.flow.instructions import Instruction as Instruction
+from ropsim.flow.instructions import ListedPoint as ListedPoint
 from ropsim.flow.instructions import MessageInstruction as MessageInstruction
 from ropsim.flow.instructions import MotionKind as MotionKind
 from ropsim.flow.instructions import MoveInstruction as MoveInstruction

@@ -101,6 +101,27 @@ class GripAction(Enum):
 
 
 @frozen_dataclass
+class ListedPoint:
+    """A point of a list of points; as text in words, such as "point 3 of `seam` (points/seam.csv line 5)".
+
+    Attributes:
+        list: name of the list.
+        number: of the point, from 1.
+        source: name of the text of the list; empty where it is not known.
+        line: of the point in that text, 0 where it is not known.
+    """
+
+    list: str
+    number: int
+    source: str = ""
+    line: int = 0
+
+    def __str__(self) -> str:
+        place = f" ({self.source} line {self.line})" if self.source and self.line else ""
+        return f"point {self.number} of `{self.list}`{place}"
+
+
+@frozen_dataclass
 class Origin:
     """Where an instruction comes from.
 
@@ -109,12 +130,23 @@ class Origin:
         visit: how often this very instruction has been executed, from 1 ("loop pass").
         calls: procedures from `main` down to the one that holds the instruction.
         call_serials: for each entry of `calls`, the ordinal of that activation in the run (main = 0).
+        point: the point of a list that the target is made of; None where it is made of none.
     """
 
     span: Span | None = None
     visit: int = 1
     calls: tuple[str, ...] = ("main",)
     call_serials: tuple[int, ...] = (0,)
+    point: ListedPoint | None = None
+
+    @property
+    def data(self) -> dict[str, object]:
+        """Return pass and point for the data of a finding."""
+        if self.point is None:
+            return {"pass": self.visit}
+        point = self.point
+        where = {"list": point.list, "point": point.number, "list_source": point.source}
+        return {"pass": self.visit, **where, "list_line": point.line}
 
 
 @frozen_dataclass

@@ -38,6 +38,10 @@ class ReachedSpeed:
         joint: name of the axis, empty for other causes.
         quantity: of the joint; None for other causes.
         singularity: which one is near where the joint is slow: `wrist`, `elbow`, `shoulder`, or empty.
+        helps: limits of the path, acceleration or jerk, that make it quicker when they are raised, the most
+            helpful one first; together if neither does alone. None where that was not looked for: of the
+            moves of a line only the one that loses most is looked at.
+        points: how many points a curve leads through; 0 for other paths.
     """
 
     top: float
@@ -50,3 +54,5 @@ class ReachedSpeed:
     joint: str = ""
     quantity: LimitQuantity | None = None
     singularity: str = ""
+    helps: tuple[LimitQuantity, ...] | None = None
+    points: int = 0

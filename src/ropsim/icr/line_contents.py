@@ -11,6 +11,7 @@ from ropsim.flow import (
     MessageInstruction,
     MotionKind,
     MoveInstruction,
+    Origin,
     OutputInstruction,
     SyncInstruction,
     WaitInstruction,
@@ -147,7 +148,7 @@ class _Run:
                 return
             world.carry_out(step)
             read = self._channels if _reads(step) else ""
-            key = _key((key, type(step).__name__, _BITS[type(step)](step), step.origin.visit, read))
+            key = _key((key, type(step).__name__, _BITS[type(step)](step), *_pass(step.origin), read))
             self.steps.append(step)
             self._keys.append(key)
 
@@ -193,6 +194,12 @@ class _Run:
                 break
             end += 1
         return end
+
+
+def _pass(origin: Origin) -> tuple[int, ...]:
+    """Return what findings say of the origin of a step besides its line."""
+    point = origin.point
+    return (origin.visit, point.number, point.line) if point else (origin.visit,)
 
 
 def _is_look(step: Instruction) -> bool:

@@ -83,10 +83,20 @@ class ToolDefinition:
 
 @frozen_dataclass
 class PoseList:
-    """A list of poses, counted from 1: each (x, y, z, qw, qx, qy, qz) [m, 1]; one at least."""
+    """A list of poses, counted from 1: each (x, y, z, qw, qx, qy, qz) [m, 1]; one at least.
+
+    Attributes:
+        name: of the list.
+        poses: in their order.
+        source: name of the text that it was made of; empty where there is none. Like the lines it is not part
+            of the identity of the program, and neither form of it holds it.
+        lines: of that text in which the poses stand; empty where they are not known.
+    """
 
     name: str
     poses: tuple[PoseTuple, ...]
+    source: str = field(default="", compare=False)
+    lines: tuple[int, ...] = field(default=(), compare=False, repr=False)
 
 
 @frozen_dataclass

@@ -102,6 +102,7 @@ def _program(
         signals |= one.signals
     signals |= {signal.name: signal for signal in control.signals}
     library = tuple(one.task for name, one in environment.tasks.items() if not db.ask(questions.is_own, name))
+    lists = db.read(questions.LISTS)
     return Program(
         declared.name,
         control.block,
@@ -112,7 +113,8 @@ def _program(
         dict(world.tools),
         environment.default_tool,
         tuple(signals.values()),
-        {name: one.points for name, one in db.read(questions.LISTS).items()},
+        {name: one.points for name, one in lists.items()},
+        {name: (one.source, one.places) for name, one in lists.items() if one.places},
     )
 
 

@@ -14,7 +14,10 @@ ends or has to wait for the arm: before a gripper, an output, an input that is r
 turns back on itself; where the arm is at the target of the move already, or the next move has the same one;
 where the controller may not look far enough ahead; and, at corners of more than a right angle and next to
 moves in joint space, where the zone is so small that to slow down for its bend, or for what joints can do
-there, takes longer than to stop. The message says which of these it is.
+there, takes longer than to stop. The message says which of these it is. Each reason is reported once for a
+line, with the number of passes, or of the points of a list, at which the arm stops, and where the first of
+them is. That a list of points ends with the program, or begins where the arm stands, is no loss and is not
+reported.
 
 **How to mend it.** Give the move `fine` if the stop is meant. Otherwise set the output on the path
 (`at 5 mm before end do set valve on`), read the input earlier, shift the point, or give a larger zone.
@@ -58,9 +61,10 @@ LINES_AS_CURVE = define(
     """
 Lines that are shorter than the way of speeding up and slowing down, with zones between them, are flown as one
 curve of the tool, as the compressors of controllers do it: were each corner rounded by itself, the tool would
-slow down at each. The message gives the number of lines, and how far the curve is from them at most, in
-distance and in orientation; it is never farther than the zones allow. Sharp corners keep their own zones, and
-so do points where no curve stays within the zone. Long lines stay lines. Triggers act where the curve passes
+slow down at each. The message gives the number of lines, and how far the tool is from them at most, in
+distance and in orientation, on the curves and in the zones of the corners between them; it is never farther
+than the zones allow. Sharp corners keep their own zones, and so do points where no curve stays within the
+zone. Long lines stay lines. Triggers act where the curve passes
 their points.
 
 **How to mend it.** Nothing is wrong. Give smaller zones where the tool has to be nearer to the points, larger

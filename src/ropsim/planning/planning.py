@@ -8,6 +8,8 @@ from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction
 from ropsim.model import Payload, RobotModel
 from ropsim.motion import TIME_LAWS, Infeasible, JointBounds, Ticks, own_law_of
+from ropsim.planning.achieved.helpful_limits import AchievedMotion
+from ropsim.planning.achieved.lines_as_curves import lines_as_curves
 from ropsim.planning.achieved.reached_speeds import reached_speeds, singularity_at
 from ropsim.planning.achieved.zones import achieved_zones, clipped, stopped
 from ropsim.planning.blends.blend import Blend, Passage, Stop
@@ -162,8 +164,10 @@ def _planned(
         chain.robot,
         lambda part: singularity_at(by_joint_limits.retiming, part, chain.robot),
     )
+    findings += lines_as_curves(chain, moves, by_joint_limits.blends)
     zones = achieved_zones(chain.robot, moves, by_joint_limits.blends, by_joint_limits.retiming.motion)
-    reached = reached_speeds(moves, chosen.timing, by_joint_limits.retiming, chain.robot, rules)
+    achieved = AchievedMotion(moves, by_joint_limits.blends, bounds, Ticks(period), rules)
+    reached = reached_speeds(achieved, chosen.timing, by_joint_limits.retiming, chain.robot)
     return in_ticks(chain, moves, zones, timing, retimed, reached, findings)
 
 
@@ -249,14 +253,22 @@ def _time_alone(move: PlannedMove) -> float:
 
 
 def _blends(chain: MotionChain, moves: list[PlannedMove], findings: list[Diagnostic]) -> list[Blend | None]:
-    """Return the rounded blends between moves, None where the arm stops or where nothing moves."""
+    """Return the rounded blends between moves, None where the arm stops or where nothing moves.
+
+    Where the arm is at the target of a move already, that is told only if it flows there: not where it stands
+    before the first move, nor behind a move that is told to have the same target.
+    """
     blends: list[Blend | None] = []
+    stands = True
     for before, behind in pairwise(moves):
         found = blend_at(chain, before, behind)
         if isinstance(found, Stop):
-            findings += stopped(before.move, found)
+            if not (stands and found is Stop.NO_WAY_TO):
+                findings += stopped(before.move, found)
+            stands = found in (Stop.NO_WAY_TO, Stop.NO_WAY_ON)
             blends.append(None)
         else:
+            stands = False
             if not isinstance(found, Passage):
                 findings += clipped(before.move, found)
             blends.append(found)

@@ -81,7 +81,7 @@ def correction_refusal(planned_move: PlannedMove) -> Refusal | None:
         f"signal `{move.tracking.channel}` cannot correct this path: {why}",
         label=passes(move.origin),
         hint="move the external axes before, and leave them where they are on this move",
-        data={"channel": move.tracking.channel, "pass": move.origin.visit},
+        data={"channel": move.tracking.channel, **move.origin.data},
     )
     return Refusal((finding,))
 
@@ -122,7 +122,7 @@ def _beyond(move: PlannedMove, speed: float, bound: float) -> Diagnostic:
         f"{bound:.2g} m/s",
         label=passes(move.move.origin),
         hint="give the speed that is meant; a unit behind it says which, as in `speed 250 mm/s`",
-        data={"speed_m_s": speed, "bound_m_s": bound},
+        data={"speed_m_s": speed, "bound_m_s": bound, **move.move.origin.data},
     )
 
 
@@ -158,7 +158,7 @@ def standing_refusal(move: PlannedMove, path_segment: PathSegment) -> Refusal | 
         f"the curve turns back after {share:.0%} of its way, so sharply that the tool cannot pass",
         label=passes(move.move.origin),
         hint="put the points further apart, or in an order in which the curve goes on",
-        data={"place": share},
+        data={"place": share, **move.move.origin.data},
     )
     return Refusal((finding,))
 

@@ -80,6 +80,7 @@ class Program:
         tool: tool in force at the start, empty for the cell's default.
         signals: channels that the program names.
         lists: name -> poses of the lists of points.
+        places: name -> text of the list and the lines of its points there, where they are known.
     """
 
     name: str
@@ -92,3 +93,4 @@ class Program:
     tool: str = ""
     signals: tuple[SignalUse, ...] = ()
     lists: Mapping[str, tuple[PoseTuple, ...]] = field(default_factory=dict)
+    places: Mapping[str, tuple[str, tuple[int, ...]]] = field(default_factory=dict)

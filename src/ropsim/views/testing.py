@@ -35,13 +35,14 @@ from ropsim.views.pack.columns import smooth as smooth
 from ropsim.views.pack.columns import varints as varints
 from ropsim.views.pack.columns import zigzag as zigzag
 from ropsim.views.pack.pack import sample_times as sample_times
+from ropsim.views.pack.pack import time_of as time_of
 from ropsim.views.picture.depth_buffer import DepthBuffer as DepthBuffer
 from ropsim.views.picture.facets import facets as facets
 from ropsim.views.scene.arm import base_shapes as base_shapes
 from ropsim.views.scene.arm import link_shapes as link_shapes
 from ropsim.views.scene.arm import reach as reach
 from ropsim.views.summary.findings import below_causes as below_causes
-from ropsim.views.summary.findings import passes_text as passes_text
+from ropsim.views.summary.findings import runs_text as runs_text
 from ropsim.views.summary.joint_summary import closest_to_position_limit as closest_to_position_limit
 from ropsim.views.summary.path_summary import summarize_path as summarize_path
 from ropsim.views.summary.result import SettlingFigure as SettlingFigure

@@ -197,7 +197,8 @@ def test_a_finding_of_a_later_pass_only_is_listed_once_with_its_pass() -> None:
         "endf",
     )
     (found,) = recorded(lines).findings
-    assert (found.code, found.label) == ("M565", "reached in pass 2")
+    assert (found.code, found.data["pass"]) == ("M565", 2)
+    assert found.message.startswith("3 of 4 passes, first pass 2: ")
     assert found.span is not None
     assert found.span.line == 5
     assert "the move is 10 mm long" in found.message

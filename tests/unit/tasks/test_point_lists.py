@@ -46,6 +46,12 @@ def numbers(text: str) -> list[tuple[float, ...]]:
         "name,x,y,z,pitch,roll\n,mm,mm,mm,deg,deg\np,1.5,2,3,,\n",
         "name,x,y,z,,\n,mm,mm,mm,,\np,1.5,2,3,,\n",
         "name,x,y,z\n,cm,m,inch\np,0.15,0.002,0.11811023622047244\n",
+        "name,x [mm],y [mm],z [mm]\np,1.5,2,3\n",
+        "Name;X (mm);Y (mm);Z(mm)\np;1,5;2;3\n",
+        "name,x [cm],y [m],z [inch]\n,cm,m,inch\np,0.15,0.002,0.11811023622047244\n",
+        "name,x [cm],y,z\n,,mm,mm\np,0.15,2,3\n",
+        "name,x,y,z\n\n,mm,mm,mm\np,1.5,2,3\n",
+        "\n;;;\nname;x;y;z\n;;;\n;MM;mm;mm\n;;;\np;1,5;2;3\n",
     ],
 )
 def test_a_list_may_be_written_as_spreadsheets_do(text: str) -> None:
@@ -57,10 +63,10 @@ def test_a_list_may_be_written_as_spreadsheets_do(text: str) -> None:
     assert found.numbers == {"p": 1}
 
 
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "cp1252"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "cp1252", "unmarked"])
 def test_a_file_may_have_the_encodings_of_spreadsheets(encoding: str, tmp_path: Path) -> None:
     text = "name;x;y;z\n;mm;mm;mm\nTür;1,5;2;3\n"
-    content = text.encode(encoding)
+    content = text.encode("utf-16-be" if encoding == "unmarked" else encoding)
     (tmp_path / "l.csv").write_bytes(b"\xff\xfe" + content if encoding == "utf-16-le" else content)
     found, findings = read_point_list(tmp_path / "l.csv")
     assert not findings
@@ -112,13 +118,20 @@ def test_a_wrong_line_is_told_at_its_cell(line: str, column: int, length: int, s
     ("text", "line", "said"),
     [
         ("", 1, "the columns x, y, z are missing"),
-        ("x,y\nmm,mm\n1,2\n", 1, "the columns z are missing"),
+        ("x,y\nmm,mm\n1,2\n", 1, "the column z is missing"),
         ("a,b,c\nmm,mm,mm\n1,2,3\n", 1, "`a` is no column of a list"),
         ("x,y,z,x\nmm,mm,mm,mm\n1,2,3,4\n", 1, "the column `x` stands twice"),
-        ("x,y,z,pitch\nmm,mm,mm,deg\n1,2,3,4\n", 1, "the columns roll are missing"),
+        ("x,y,z,pitch\nmm,mm,mm,deg\n1,2,3,4\n", 1, "the column roll is missing"),
         ("x,y,z,yaw\nmm,mm,mm,deg\n1,2,3,4\n", 1, "the columns pitch, roll are missing"),
-        ("x,y,z\n1,2,3\n4,5,6\n", 2, "the second line gives no unit of `x`, allowed are mm, cm, m, inch"),
-        ("x,y,z\n", 2, "the second line gives no unit of `x`"),
+        (
+            "x,y,z\n1,2,3\n4,5,6\n",
+            2,
+            "the line below the titles gives no unit of `x`, allowed are mm, cm, m, inch",
+        ),
+        ("x,y,z\n,,\n1,2,3\n", 3, "the line below the titles gives no unit of `x`"),
+        ("x [mm],y [feet],z [mm]\n1,2,3\n", 2, "`feet` is no unit of `y`"),
+        ("x [mm],y [mm],z [mm]\nmm,m,mm\n1,2,3\n", 2, "`y` is in `m` here and in `mm` by its title"),
+        ("x,y,z\n", 2, "the line below the titles gives no unit of `x`"),
         ("x,y,z\nmm,mm,feet\n1,2,3\n", 2, "`feet` is no unit of `z`, allowed are mm, cm, m, inch"),
         ("x,y,z,pitch,roll\nmm,mm,mm,mm,deg\n", 2, "`mm` is no unit of `pitch`, allowed are deg, rad"),
     ],
@@ -200,3 +213,21 @@ def test_a_list_that_is_written_is_read_back() -> None:
 
 def test_a_list_without_points_is_told() -> None:
     assert [one.message for one in wrong(HEAD)] == ["the list has no points"]
+
+
+def test_utf_16_without_its_mark_is_read_in_both_orders(tmp_path: Path) -> None:
+    for encoding in ("utf-16-le", "utf-16-be"):
+        (tmp_path / "l.csv").write_bytes("x;y;z\nmm;mm;mm\n1,5;2;3\n".encode(encoding))
+        found, findings = read_point_list(tmp_path / "l.csv")
+        assert not findings
+        assert found is not None
+        assert len(found.points) == 1
+
+
+def test_a_list_that_is_too_large_says_so_in_megabytes(tmp_path: Path) -> None:
+    (tmp_path / "l.csv").write_bytes(b"x;y;z\nmm;mm;mm\n" + b"300;0;300\n" * 2_100_000)
+    found, findings = read_point_list(tmp_path / "l.csv")
+    assert found is None
+    (one,) = findings
+    assert one.message.endswith("l.csv` has 21 MB, allowed are 20 MB")
+    assert one.hint == "cut it into several lists"

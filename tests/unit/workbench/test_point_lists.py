@@ -97,3 +97,13 @@ def test_answers_with_lists_are_kept_for_other_processes(folder: Path, tmp_path:
     assert changed is not None
     assert wanted is not None
     assert changed.lists != wanted.lists
+
+
+def test_a_list_that_cannot_be_read_is_there_all_the_same(folder: Path) -> None:
+    """What is wrong is said at the file; the program is not told that the project has no list."""
+    (folder / "points" / "seam.csv").write_bytes(b"x;y;z\nmm;mm;mm\n" + b"300;0;300\n" * 2_100_000)
+    found = open_project(folder).compile().diagnostics
+    assert [one.code for one in found] == ["P148", "N226"]
+    assert found[1].message == "the list of points `seam` cannot be used: its text is wrong"
+    assert found[1].hint.startswith("mend `")
+    assert found[1].hint.endswith("points/seam.csv`")

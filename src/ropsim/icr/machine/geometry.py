@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 
+from ropsim.flow import ListedPoint
 from ropsim.icr.machine import trap_kinds as kinds
 from ropsim.icr.machine.handlers import Datum, Handler
 from ropsim.icr.machine.location import (
@@ -14,6 +15,7 @@ from ropsim.icr.machine.location import (
     in_posture,
     located,
     offset,
+    point_of,
     pose_part,
     posture_of,
     tag_of,
@@ -49,7 +51,7 @@ def _make_joints(stack: list[Datum], _values: list[Datum], count: Datum) -> None
 def _make_external(stack: list[Datum], _values: list[Datum], count: Datum) -> None:
     location = stack[-count - 1]
     values = tuple(stack[-count:])
-    own = posture_of(location), tag_of(location), axes_of(location)
+    own = posture_of(location), tag_of(location), axes_of(location), point_of(location)
     stack[-count - 1 :] = [located(pose_part(location), values, *own)]
 
 
@@ -152,13 +154,14 @@ def shown(stack: list[Datum], _values: list[Datum], kind: Datum) -> None:
 
 
 def _item(stack: list[Datum], _values: list[Datum], operand: Datum) -> None:
-    """ITEM; the operand is (name of the list, its poses)."""
-    name, poses = operand
+    """ITEM; the operand is the list and its poses as values. The pose knows which point it is."""
+    listed, poses = operand
     number = stack[-1]
     if not 0 < number <= len(poses):
-        message = f"`{name}` has no element {number}, it has the elements 1 to {len(poses)}"
+        message = f"`{listed.name}` has no element {number}, it has the elements 1 to {len(poses)}"
         raise TrapError(kinds.BOUNDS, message, "elements are counted from 1")
-    stack[-1] = poses[number - 1]
+    line = listed.lines[number - 1] if listed.lines else 0
+    stack[-1] = (*poses[number - 1], ListedPoint(listed.name, number, listed.source, line))
 
 
 _SI_DECIMALS = 9

@@ -15,7 +15,7 @@ from ropsim.icr.machine.handlers import (
 from ropsim.icr.machine.location import FrameTag
 from ropsim.icr.machine.operations import OPERATIONS
 from ropsim.icr.machine.site import Site
-from ropsim.icr.program import Procedure, Program, Step, source_place
+from ropsim.icr.program import PoseList, Procedure, Program, Step, source_place
 from ropsim.icr.rules.flow import stacks
 from ropsim.icr.rules.stack import Stack
 from ropsim.icr.types import Constant, Type, rotation
@@ -69,7 +69,7 @@ def _code(
             if step.mnemonic in _JUMPS:
                 datum = operand, index + 1
             elif step.mnemonic == "ITEM":
-                datum = operand, _poses(program, str(operand))
+                datum = _list(program, str(operand)), _poses(program, str(operand))
             elif step.mnemonic == "INFRAME":
                 datum = _frame(program, operand) if operand else None
             code.append((handler, datum))
@@ -109,8 +109,11 @@ def _value(constant: Constant) -> Datum:
 
 def _poses(program: Program, name: str) -> tuple[Datum, ...]:
     """Return the poses of a list."""
-    found = next(one.poses for one in program.lists if one.name == name)
-    return tuple([_value(Constant(Type.POSE, pose)) for pose in found])
+    return tuple([_value(Constant(Type.POSE, pose)) for pose in _list(program, name).poses])
+
+
+def _list(program: Program, name: str) -> PoseList:
+    return next(one for one in program.lists if one.name == name)
 
 
 def _frame(program: Program, name: Datum) -> FrameTag:

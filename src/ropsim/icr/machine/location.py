@@ -1,22 +1,23 @@
 """POSE values as locations: a pose, and attributes that are passed and stored with it.
 
 A POSE on the stack is a tuple of seven numbers, in the task frame in force when it is moved to. They are
-followed by values of external axes, if any, the posture request, if any, and the tag of its task frame, if
-any, else by the axes along which it is shifted, if they differ from the axes of the task frame.
+followed by values of external axes, if any, the point of a list that it is made of, if any, the posture
+request, if any, and the tag of its task frame, if any, else by the axes along which it is shifted, if they
+differ from the axes of the task frame.
 """
 
 import math
 from dataclasses import replace
 from typing import NamedTuple
 
-from ropsim.flow import PostureRequest
+from ropsim.flow import ListedPoint, PostureRequest
 from ropsim.icr.machine.handlers import Datum
 from ropsim.icr.machine.traps import out_of_range
 from ropsim.spatial import Pose, PoseTuple, quaternion
 
 Location = tuple[Datum, ...]
-"""(x, y, z, qw, qx, qy, qz) [m, 1], up to `MAX_EXTERNAL` values of external axes [rad | m], then a request
-and a tag, where it has them."""
+"""(x, y, z, qw, qx, qy, qz) [m, 1], up to `MAX_EXTERNAL` values of external axes [rad | m], then a point of a
+list, a request and a tag, where it has them."""
 
 
 class FrameTag(NamedTuple):
@@ -40,6 +41,10 @@ class Axes(NamedTuple):
     z: float
 
 
+_ATTRIBUTES = (FrameTag, PostureRequest, Axes, ListedPoint)
+"""Types of what stands behind the numbers of a location."""
+
+
 def pose_part(location: Location) -> PoseTuple:
     """Return the pose of a location."""
     x, y, z, qw, qx, qy, qz = location[:7]
@@ -49,9 +54,14 @@ def pose_part(location: Location) -> PoseTuple:
 def external_part(location: Location) -> tuple[float, ...]:
     """Return the values of external axes that a location carries [rad | m]; empty without any."""
     end = len(location)
-    while isinstance(location[end - 1], FrameTag | PostureRequest | Axes):
+    while isinstance(location[end - 1], _ATTRIBUTES):
         end -= 1
     return location[7:end]
+
+
+def point_of(location: Location) -> ListedPoint | None:
+    """Return the point of a list that a location is made of, None if it is made of none."""
+    return next((part for part in location[7:] if isinstance(part, ListedPoint)), None)
 
 
 def posture_of(location: Location) -> PostureRequest | None:
@@ -77,10 +87,11 @@ def located(
     posture: PostureRequest | None,
     tag: FrameTag | None,
     axes: Axes | None,
+    point: ListedPoint | None = None,
 ) -> Location:
     """Return a location of its parts; one in a frame of its own is shifted along that."""
     last = axes if tag is None else tag
-    return (*pose, *external, *(part for part in (posture, last) if part is not None))
+    return (*pose, *external, *(part for part in (point, posture, last) if part is not None))
 
 
 def composed(left: Location, right: Location) -> Location:
@@ -95,13 +106,16 @@ def composed(left: Location, right: Location) -> Location:
         return pose
     external = external_part(left) or external_part(right)
     posture, tag = posture_of(left) or posture_of(right), tag_of(left) or tag_of(right)
-    return located(pose, external, posture, tag, axes_of(left) or axes_of(right))
+    point = point_of(left) or point_of(right)
+    return located(pose, external, posture, tag, axes_of(left) or axes_of(right), point)
 
 
 def in_frame(stack: list[Datum], _values: list[Datum], operand: Datum) -> None:
     """INFRAME; the operand is the tag, None for the task frame in force."""
     whole = stack[-1]
-    stack[-1] = located(pose_part(whole), external_part(whole), posture_of(whole), operand, None)
+    stack[-1] = located(
+        pose_part(whole), external_part(whole), posture_of(whole), operand, None, point_of(whole)
+    )
 
 
 def with_axes(stack: list[Datum], _values: list[Datum], _operand: Datum) -> None:
@@ -112,7 +126,8 @@ def with_axes(stack: list[Datum], _values: list[Datum], _operand: Datum) -> None
 
 def along(location: Location, axes: Axes | None) -> Location:
     """Return a location that is shifted along other axes."""
-    return located(pose_part(location), external_part(location), posture_of(location), tag_of(location), axes)
+    own = posture_of(location), tag_of(location), axes, point_of(location)
+    return located(pose_part(location), external_part(location), *own)
 
 
 def offset(stack: list[Datum], _values: list[Datum], _operand: Datum) -> None:
@@ -141,4 +156,5 @@ def with_turns(stack: list[Datum], _values: list[Datum], count: Datum) -> None:
 
 
 def _asking(location: Location, request: PostureRequest) -> Location:
-    return located(pose_part(location), external_part(location), request, tag_of(location), axes_of(location))
+    own = tag_of(location), axes_of(location), point_of(location)
+    return located(pose_part(location), external_part(location), request, *own)

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from ropsim.core import Diagnostic, Span, frozen_dataclass
-from ropsim.flow import Guard, ModalState, Origin, PathTracking, Trigger
+from ropsim.flow import Guard, ListedPoint, ModalState, Origin, PathTracking, Trigger
 from ropsim.icr.machine.handlers import Datum
 from ropsim.icr.machine.location import Location
 
@@ -160,11 +160,11 @@ class Registers:
             self.known[key] = self.modal, after
         return after
 
-    def origin(self, key: tuple[int, int], span: Span | None) -> Origin:
-        """Count one more visit of an instruction and return its origin."""
+    def origin(self, key: tuple[int, int], span: Span | None, point: ListedPoint | None = None) -> Origin:
+        """Count one more visit of an instruction, to a point of a list or not, and return its origin."""
         visit = self.visits.get(key, 0) + 1
         self.visits[key] = visit
-        return Origin(self.place(span), visit, self.calls, self.call_serials)
+        return Origin(self.place(span), visit, self.calls, self.call_serials, point)
 
     def place(self, span: Span | None) -> Span | None:
         """Return a source line; where there is none, as in tasks of a library, that of the call."""

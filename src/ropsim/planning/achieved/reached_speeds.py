@@ -1,14 +1,16 @@
 """Speeds that moves on paths of the tool reach, and what keeps them below the programmed ones."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from ropsim.flow import LimitQuantity, ReachedSpeed, SpeedCause
+from ropsim.core import Span as TextSpan
+from ropsim.flow import LimitQuantity, MotionKind, ReachedSpeed, SpeedCause
 from ropsim.kinematics import near_singularity
 from ropsim.model import RobotModel
 from ropsim.motion import Quantity, RetimedTrajectory, Slowed, ToolLimits
+from ropsim.planning.achieved.helpful_limits import AchievedMotion, helpful_limits
 from ropsim.planning.achieved.spans import Span, spans_of, times_at
 from ropsim.planning.achieved.tool_causes import SAMPLES, SLOW, tool_cause, turn_of
 from ropsim.planning.joint_limits.retiming import Retiming
@@ -25,6 +27,10 @@ _QUANTITIES = {
 }
 _BY_JOINTS = 0.5
 """Share of the time lost from which on joints are the cause."""
+_BY_PATH = (SpeedCause.ACCELERATION, SpeedCause.JERK, SpeedCause.ZONE, SpeedCause.BEND)
+"""Causes of which limits of the path for acceleration and jerk are a part."""
+_MOST_LOOKED_AT = 8
+"""Moves of a sequence for which planning looks for what helps."""
 
 
 _TimedSpan = tuple[TimedSection, Span, tuple[float, float]]
@@ -33,10 +39,10 @@ _TimedSpan = tuple[TimedSection, Span, tuple[float, float]]
 
 @record
 class _Slow:
-    """A move that is slow, on its section as it is flown.
+    """A move that is slow, on its section as it is achieved.
 
     Attributes:
-        section: in the timing that is flown.
+        section: in the timing that is achieved.
         span: of the move there.
         phi: nominal times at which it begins and ends [s].
         time: that it takes [s].
@@ -51,22 +57,22 @@ class _Slow:
 
 
 def reached_speeds(
-    moves: Sequence[PlannedMove], by_tool: Timing, retiming: Retiming, robot: RobotModel, rules: TimingRules
+    achieved: AchievedMotion, by_tool: Timing, retiming: Retiming, robot: RobotModel
 ) -> dict[int, ReachedSpeed]:
     """Return the moves that are slower than programmed, by their numbers.
 
     The ways of the moves between two stops could be a straight line: the tool would go with the programmed
     speed all the way, but for speeding up and slowing down at both stops with acceleration and jerk of the
-    path. A move for which that is less than nine tenths of its time is slow.
+    path. A move for which that is less than nine tenths of its time is slow. Of the moves of a line the one
+    that loses most for a cause says which limits of the path help.
 
     Args:
-        moves: the moves.
+        achieved: the sequence.
         by_tool: timing with the limits of their paths alone.
         retiming: the motion within the limits of the joints.
         robot: the arm.
-        rules: time law and look-ahead.
     """
-    retimed = retiming.retimed
+    moves, rules, retimed = achieved.moves, achieved.rules, retiming.retimed
     if not isinstance(retimed, RetimedTrajectory):
         return {}
     slow_moves = list(_slow(moves, retiming.timing, retimed, rules))
@@ -92,7 +98,38 @@ def reached_speeds(
             )
         else:
             found[number] = ReachedSpeed(*figures, *tool_cause(section, span, (begin, end), limits))
-    return found
+        if (via := len(moves[number].move.via)) and moves[number].move.kind == MotionKind.SPLINE:
+            found[number] = replace(found[number], points=via + 1)
+    lost = {
+        cause: {number: one.lost for number, one in found.items() if one.cause is cause} for cause in _BY_PATH
+    }
+    helped = {
+        number: _with_help(found[number], achieved, number, lost[found[number].cause])
+        for number in _worst_by_line(moves, found)
+    }
+    return found | helped
+
+
+def _worst_by_line(moves: Sequence[PlannedMove], found: Mapping[int, ReachedSpeed]) -> list[int]:
+    """Return the moves that lose most on their lines for causes of which limits of the path are a part."""
+    worst: dict[tuple[TextSpan | None, SpeedCause], int] = {}
+    for number in sorted(found, key=lambda one: -found[one].lost):
+        if (cause := found[number].cause) in _BY_PATH:
+            worst.setdefault((moves[number].move.origin.span, cause), number)
+    return list(worst.values())[:_MOST_LOOKED_AT]
+
+
+def _with_help(
+    reached: ReachedSpeed, achieved: AchievedMotion, number: int, lost: Mapping[int, float]
+) -> ReachedSpeed:
+    """Return with a slow move what helps; between acceleration and jerk as causes that decides."""
+    helps = helpful_limits(achieved, number, lost)
+    ramps = {LimitQuantity.ACCELERATION: SpeedCause.ACCELERATION, LimitQuantity.JERK: SpeedCause.JERK}
+    if helps and reached.cause in ramps.values():
+        limits = achieved.moves[number].planned.limits.tool
+        value = limits.jerk if helps[0] is LimitQuantity.JERK else limits.acceleration
+        return replace(reached, cause=ramps[helps[0]], value=value, helps=helps)
+    return replace(reached, helps=helps)
 
 
 def _times_with_all_known(by_tool: Timing, rules: TimingRules) -> dict[int, float]:

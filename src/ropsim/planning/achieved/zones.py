@@ -42,7 +42,7 @@ def clipped(move: MoveInstruction, blend: Blend) -> tuple[Diagnostic, ...]:
         f"the zone of {wanted * 1e3:g} mm is reduced to {shown}",
         label=passes(move.origin),
         hint=f"give `blend {zone * 1e3:.3g} mm`, or put the points further apart",
-        data={"zone_m": wanted, "flown_m": zone},
+        data={"zone_m": wanted, "flown_m": zone, **move.origin.data},
     )
     return (finding,)
 
@@ -50,7 +50,10 @@ def clipped(move: MoveInstruction, blend: Blend) -> tuple[Diagnostic, ...]:
 def stopped(move: MoveInstruction, why: Stop) -> tuple[Diagnostic, ...]:
     """Return M560 for a blend at which the arm stops though a zone is in force."""
     hint = "give a larger zone" if why in (Stop.QUICKER, Stop.SLOWED) else "shift the point"
-    return _stops(move, why.value, f"{hint}, or give the move `fine`" if move.modal.zone > 0.0 else hint)
+    if why in (Stop.NO_WAY_TO, Stop.NO_WAY_ON):
+        hint = "leave the point out"
+    or_fine = ", or give the move `fine`" if move.modal.zone > 0.0 and not move.origin.point else ""
+    return _stops(move, why.value, f"{hint}{or_fine}")
 
 
 def stopped_by(move: MoveInstruction, what: str) -> tuple[Diagnostic, ...]:
@@ -60,7 +63,12 @@ def stopped_by(move: MoveInstruction, what: str) -> tuple[Diagnostic, ...]:
         move: the last one before the arm has to stand.
         what: the reason, such as `the gripper closes next`.
     """
-    return _stops(move, what, "give the move `fine`, or do that elsewhere")
+    hint = "give the move `fine`, or do that elsewhere"
+    if what == NEXT_IS_SKIPPED:
+        hint = "mend the next move: its error says what is wrong"
+    elif move.origin.point:
+        hint = "nothing, if the stop is meant; else do that on the way (`at 5 mm before end do …`)"
+    return _stops(move, what, hint)
 
 
 def _stops(move: MoveInstruction, why: str, hint: str) -> tuple[Diagnostic, ...]:
@@ -73,7 +81,7 @@ def _stops(move: MoveInstruction, why: str, hint: str) -> tuple[Diagnostic, ...]
         f"the arm stops here, {what}: {why}",
         label=passes(move.origin),
         hint=hint,
-        data={"zone_m": zone},
+        data={"zone_m": zone, "cause": why, **move.origin.data},
     )
     return (finding,)
 

@@ -1,15 +1,13 @@
 """Curves of moves: chains of short lines are compressed, and the curves are followed by the joints."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
-from ropsim.core import Diagnostic
 from ropsim.model import ShortLines
-from ropsim.motion import LINES_AS_CURVE, CurvePart, JointPath, JointPoints, StraightPart, compressed, end_of
+from ropsim.motion import CurvePart, JointPath, JointPoints, StraightPart, compressed, end_of
 from ropsim.planning.blends.joined_ends import SAME_JOINTS, joined_to
 from ropsim.planning.blends.short_line_chains import Span, chains_of, longest_on_curve, points_of
 from ropsim.planning.moves.move_curve import MoveCurve, OnCurve
@@ -17,11 +15,6 @@ from ropsim.planning.moves.path_following import follow_path
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.motion_chain import MotionChain
-from ropsim.planning.records.wording import passes
-
-_LEAST_SAID = 1e-6
-"""Distances [m] and angles [rad] below are not worth saying: on straight lines they are rounding."""
-
 
 _SURELY_QUICKER = 10
 """Moves of a curve from which on it is quicker than a zone at each of their points."""
@@ -42,8 +35,7 @@ class _Ends(NamedTuple):
 def with_curves(chain: MotionChain, moves: Sequence[PlannedMove]) -> list[PlannedMove]:
     """Return moves of which chains of short lines are on curves that take the place of their paths.
 
-    A curve that the joints cannot follow is left out: its moves keep their own paths. The first move of a
-    chain says how far its curves are from the lines, unless they are on them.
+    A curve that the joints cannot follow is left out: its moves keep their own paths.
 
     Args:
         chain: the entities.
@@ -56,7 +48,6 @@ def with_curves(chain: MotionChain, moves: Sequence[PlannedMove]) -> list[Planne
         here = moves[first:last]
         parts = compressed(*points_of(chain, here), longest_on_curve(here)).parts
         lines = {part.number: part for part in parts if isinstance(part, StraightPart)}
-        curves = []
         for part in parts:
             if isinstance(part, StraightPart):
                 continue
@@ -64,12 +55,8 @@ def with_curves(chain: MotionChain, moves: Sequence[PlannedMove]) -> list[Planne
             ends = _Ends(before.end if before else 0.0, behind.begin if behind else 0.0)
             span = first + part.first, first + part.last
             if curve := _followed(chain, moves, span, part, ends):
-                curves.append(curve)
                 for index, number in enumerate(range(*span)):
                     found[number] = replace(moves[number], on_curve=OnCurve(curve, index))
-        if any(max(curve.deviation, curve.turn) > _LEAST_SAID for curve in curves):
-            move = found[first]
-            found[first] = replace(move, findings=(*move.findings, _as_curves(move, last - first, curves)))
     return found
 
 
@@ -83,35 +70,6 @@ def may_be_slower(moves: Sequence[PlannedMove]) -> bool:
     """
     firsts = [move.on_curve.curve for move in moves if move.on_curve and move.on_curve.is_first]
     return any(curve.moves < _SURELY_QUICKER for curve in firsts)
-
-
-def _as_curves(move: PlannedMove, lines: int, curves: Sequence[MoveCurve]) -> Diagnostic:
-    """Return M576 for a chain: how many of its lines are flown as curves, and how far these are from them.
-
-    Args:
-        move: the first one of the chain.
-        lines: how many moves the chain has.
-        curves: that take the place of some of them.
-    """
-    flown, deviation = sum(curve.moves for curve in curves), max(curve.deviation for curve in curves)
-    turn, origin = max(curve.turn for curve in curves), move.move.origin
-    how = "one curve" if len(curves) == 1 else f"{len(curves)} curves"
-    angle = f" and {math.degrees(turn):.2g}°" if turn > _LEAST_SAID else ""
-    off = f"{max(deviation, _LEAST_SAID) * 1e3:.2g} mm{angle}"
-    corners = "; corners between the curves keep their zones" if len(curves) > 1 else ""
-    return LINES_AS_CURVE.at(
-        origin.span,
-        f"{flown} of the {lines} lines from here on are flown as {how}, at most {off} from them{corners}",
-        label=passes(origin),
-        hint="give smaller zones where the tool has to be nearer to the points",
-        data={
-            "lines": lines,
-            "flown": flown,
-            "curves": len(curves),
-            "deviation_m": deviation,
-            "turn_rad": turn,
-        },
-    )
 
 
 def _followed(

@@ -105,7 +105,7 @@ def beyond_refusal(move: PlannedMove, beyond: Infeasible, robot: RobotModel) -> 
         f"{_figure(joint, beyond.quantity, beyond.limit)}, however slow the move is",
         label=passes(origin),
         hint="bring the load nearer to the axis of the joint, or take a lighter one",
-        data={"joint": joint.name, "value": beyond.value, "limit": beyond.limit, "pass": origin.visit},
+        data={"joint": joint.name, "value": beyond.value, "limit": beyond.limit, **origin.data},
     )
     return Refusal((finding,))
 
@@ -136,7 +136,13 @@ def _slowed(
             singularity,
             "another posture may need less of the joint; a lower speed of the whole move may be quicker",
         ),
-        data={"joint": joint.name, "share": part.share, "place": progress, "singularity": singularity},
+        data={
+            "joint": joint.name,
+            "share": part.share,
+            "place": progress,
+            "singularity": singularity,
+            **origin.data,
+        },
     )
 
 

@@ -22,5 +22,5 @@ def _fault(request: PathRequest, why: str) -> Diagnostic:
         f"there is no arc: {why}",
         label=passes(origin),
         hint="give a via point well between start and end, beside the line through them; or use `lin`",
-        data={"pass": origin.visit},
+        data=origin.data,
     )

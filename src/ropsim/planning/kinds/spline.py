@@ -48,5 +48,5 @@ def _fault(request: PathRequest, why: str, hint: str) -> Diagnostic:
         f"there is no curve through the points: {why}",
         label=passes(origin),
         hint=hint,
-        data={"pass": origin.visit},
+        data=origin.data,
     )

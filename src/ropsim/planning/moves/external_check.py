@@ -52,5 +52,5 @@ def _wrong_number(move: MoveInstruction, robot: RobotModel) -> Diagnostic:
         f"target has {found} value{'s' if found > 1 else ''} of external axes, `{robot.name}` has {has}",
         label=passes(move.origin),
         hint=f"give {allowed} of them: {names}" if allowed else "leave the values of external axes out",
-        data={"found": found, "allowed": allowed},
+        data={"found": found, "allowed": allowed, **move.origin.data},
     )

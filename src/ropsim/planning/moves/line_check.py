@@ -71,7 +71,7 @@ def lost(line: Line, found: Follow, matrices: Array) -> Diagnostic:
     """
     row, robot = len(found.q), line.robot
     share = line.share(row)
-    data = {"share": share, "pass": line.move.origin.visit}
+    data = {"share": share, **line.move.origin.data}
     span, label = line.move.origin.span, passes(line.move.origin)
     q = found.q[-1] if row else line.q_start
     if not found.reachable:
@@ -124,7 +124,7 @@ def limit_refusals(line: Line, q: Array, limits: JointRange) -> tuple[Diagnostic
         data={
             **figures(joint, furthest, limit),
             "share": share,
-            "pass": line.move.origin.visit,
+            **line.move.origin.data,
         },
     )
     return (finding,)
@@ -142,6 +142,7 @@ def end_findings(move: MoveInstruction, q_end: Array) -> tuple[Diagnostic, ...]:
         "the line reaches the pose of the target, but with other joint coordinates",
         label=passes(move.origin),
         hint="use `mov` to reach exactly these joint coordinates",
+        data=move.origin.data,
     )
     return (finding,)
 

@@ -34,6 +34,7 @@ def check_kind(move: MoveInstruction, kinds: Collection[str]) -> tuple[Diagnosti
         f"a move is of kind `{move.kind}`, this controller makes {known}",
         label=passes(move.origin),
         hint="use one of the kinds that it makes",
+        data=move.origin.data,
     )
     return (found,)
 
@@ -48,7 +49,7 @@ def check_values(move: MoveInstruction) -> tuple[Diagnostic, ...]:
             f"{name} is {value:g}{unit}, allowed is {allowed}",
             label=passes(move.origin),
             hint="look where the value is computed, and at its unit",
-            data={"name": name, "value": value, "pass": move.origin.visit},
+            data={"name": name, "value": value, **move.origin.data},
         )
         for name, value, unit, allowed in (
             *_bad_modal(move.modal),
@@ -77,7 +78,7 @@ def check_joints(
             f"target has {len(q)} joint coordinates, {_axes_of(robot)}",
             label=passes(origin),
             hint=f"give {robot.n} values, from the base to the tip{behind}",
-            data={"found": len(q), "allowed": robot.n},
+            data={"found": len(q), "allowed": robot.n, **origin.data},
         )
         return (found,)
     return limit_findings(move, q, robot, limits, range(len(limits.joints)))
@@ -117,7 +118,7 @@ def limit_findings(
                 hint="give a coordinate within the limits of the joint"
                 if index < robot.n
                 else "the joint follows the axes: change the coordinates that move it",
-                data={**figures(joint, value, limit), "pass": origin.visit},
+                data={**figures(joint, value, limit), **origin.data},
             )
         )
     return tuple(findings)
@@ -132,7 +133,7 @@ def check_duration(move: MoveInstruction, duration: float) -> tuple[Diagnostic, 
         f"the move would take {duration:.6g} s, allowed is {MAX_DURATION:g} s",
         label=passes(move.origin),
         hint="raise the speed, or cut the way into several moves",
-        data={"duration_s": duration, "limit_s": MAX_DURATION},
+        data={"duration_s": duration, "limit_s": MAX_DURATION, **move.origin.data},
     )
     return (finding,)
 

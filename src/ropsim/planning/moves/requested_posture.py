@@ -61,7 +61,7 @@ def no_such_posture(
         f"`{robot.name}` does not reach the target {requested_of(move)} within its joint limits",
         label=passes(move.origin),
         hint=_possible_instead(move.posture or PostureRequest(), robot, branches, q_start, limits),
-        data={"pass": move.origin.visit},
+        data=move.origin.data,
     )
 
 
@@ -109,7 +109,7 @@ def other_posture(move: MoveInstruction, robot: RobotModel, q_end: Array) -> tup
         f"the path ends in posture {name}, not {requested_of(move)}",
         label=passes(move.origin),
         hint="a path of the tool keeps its posture: take it up with `mov` before",
-        data={"pass": move.origin.visit},
+        data=move.origin.data,
     )
     return (finding,)
 

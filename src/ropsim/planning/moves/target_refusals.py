@@ -42,7 +42,7 @@ def no_arm(move: MoveInstruction, robot: RobotModel) -> tuple[Diagnostic, ...]:
         f"{what} needs an arm, this station has the axis {axes} only",
         label=passes(move.origin),
         hint="move it by `mov joints(…)` with its coordinate",
-        data={"pass": move.origin.visit},
+        data=move.origin.data,
     )
     return (finding,)
 
@@ -76,7 +76,7 @@ def out_of_reach(
     position = f"mechanical interface at ({x:.1f}, {y:.1f}, {z:.1f}) mm in the base frame"
     data = {
         "position_m": tuple(X_BM.position.tolist()),
-        "pass": move.origin.visit,
+        **move.origin.data,
         **_reach_data(shortfall.reach),
         **_miss_data(shortfall.miss),
     }
@@ -143,7 +143,7 @@ def out_of_range(move: MoveInstruction, robot: RobotModel, branches: Array, limi
         data={
             **figures(joint, value, limit),
             "postures": count,
-            "pass": move.origin.visit,
+            **move.origin.data,
         },
     )
 
@@ -162,6 +162,7 @@ def posture_change(
         f"the posture changes on the way: {changes}",
         label=passes(move.origin),
         hint="the posture of the start does not reach the target within the joint limits",
+        data=move.origin.data,
     )
     return (finding,)
 
@@ -185,6 +186,7 @@ def posture_for_later(
         label=passes(move.origin),
         notes=(f"otherwise {why.words}",),
         hint="where another posture is wanted, name it with `config`, or shift the later move",
+        data=move.origin.data,
     )
     return (finding,)
 
@@ -199,5 +201,6 @@ def numeric_hint(move: MoveInstruction, robot: RobotModel) -> tuple[Diagnostic, 
         f"`{robot.name}` is solved numerically: further branches than those found may exist",
         label=passes(move.origin),
         hint="where the posture matters, give the target in joint coordinates",
+        data=move.origin.data,
     )
     return (finding,)

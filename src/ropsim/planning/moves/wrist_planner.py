@@ -125,5 +125,5 @@ def no_wrist_angles(move: MoveInstruction, why: str) -> Diagnostic:
         f"the tool cannot be led by the angles of the wrist: {why}",
         label=passes(move.origin),
         hint='use `mov`, or a controller with `orientation = "fixed axis"`',
-        data={"pass": move.origin.visit},
+        data=move.origin.data,
     )

@@ -44,6 +44,7 @@ def conflict_with_request(
         label=passes(move.origin),
         notes=(conflict.words,),
         hint=f"leave that out: {difference(robot, free.q_end, refused.q_end)}, and it can be followed",
+        data=move.origin.data,
     )
     return (finding,)
 

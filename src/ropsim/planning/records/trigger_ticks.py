@@ -93,5 +93,5 @@ def _off_path(move: MoveInstruction, trigger: Trigger, size: float, whole: float
         f"{whole * scale:.4g} {unit} long: it is set at its {end}",
         label=passes(move.origin),
         hint="give less, or put it on the move beside this one",
-        data={"wanted": size, "whole": whole},
+        data={"wanted": size, "whole": whole, **move.origin.data},
     )

@@ -23,7 +23,9 @@ def rate(joint: Joint, value: float, per: str) -> str:
 
 
 def passes(origin: Origin) -> str:
-    """Return in which loop pass an instruction was executed; empty for the first."""
+    """Return to which point of a list, or in which loop pass, an instruction leads; empty for the first."""
+    if origin.point:
+        return str(origin.point)
     return f"reached in pass {origin.visit}" if origin.visit > 1 else ""
 
 

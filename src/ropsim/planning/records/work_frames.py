@@ -109,6 +109,6 @@ class WorkFrames:
             f"task frame `{modal.frame}` is not defined, the frames of the cell are {known}",
             label=passes(origin),
             hint=did_you_mean(modal.frame, names) or f"add `[frames.{modal.frame}]` to the cell file",
-            data={"frame": modal.frame},
+            data={"frame": modal.frame, **origin.data},
         )
         return (finding,)

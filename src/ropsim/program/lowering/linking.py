@@ -133,7 +133,9 @@ def linked(
         channels=usage.channels,
         frames=tuple(icr.FrameDefinition(name, _canonical(program.frames[name])) for name in usage.frames),
         tools=tuple(icr.ToolDefinition(name, _tool_pose(program, name)) for name in usage.tools),
-        lists=tuple(icr.PoseList(name, program.lists[name]) for name in usage.lists),
+        lists=tuple(
+            icr.PoseList(name, program.lists[name], *program.places.get(name, ())) for name in usage.lists
+        ),
         source=source,
         libraries=libraries,
     )

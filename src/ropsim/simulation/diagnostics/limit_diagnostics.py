@@ -167,12 +167,18 @@ how much of the speed is reached, and which limit counts there:
 * **external axis**: an axis that goes along does not move faster;
 * **look-ahead**: the controller knows too little of the path ahead, and has to be able to stop there.
 
+The message also says how long the line takes, and how long it would take at its speed all the way; where
+ramps at stops are a part of that, they are named apart.
+
 Speeding up from a stop and slowing down to one counts as meant, so a short approach to a fine stop is not
 reported. Neither is a line that loses less than 0.1 s or 2 % of the time in motion; the report shows the
 speed that each line reaches, and what limits it. A chain of many such lines is reported once, at its first
 line.
 
-**How to mend it.** The hint says what helps. Where the speed does not matter, program the one that is
-reached: the line takes no longer then, and often less.
+**How to mend it.** The hint says what helps. It names `path_acceleration` or `path_jerk` only where the line
+was planned again with more of it and became quicker, within the limits of the joints. A curve through very
+many points bends anew at each of them; fewer points, or a chain of lines with a zone, are often quicker.
+Where the speed does not matter, program the one that is reached: the line takes no longer then, and often
+less.
 """,
 )

@@ -115,7 +115,7 @@ def _cannot_grasp(grip: GripInstruction, tool: Tool | None) -> Diagnostic:
         grip.origin.span,
         f"`{grip.action.value}` needs a gripper, but {found}",
         hint=hint,
-        data={"pass": grip.origin.visit},
+        data=grip.origin.data,
     )
 
 
@@ -126,7 +126,7 @@ def _nothing_grasped(grip: GripInstruction, tool: Tool) -> Diagnostic:
         f"no part within {capture * 1e3:g} mm of the TCP when the gripper closed",
         label=f"pass {grip.origin.visit}",
         hint="check the location, the supply of parts and the tool's `capture`",
-        data={"pass": grip.origin.visit},
+        data=grip.origin.data,
     )
 
 
@@ -147,7 +147,7 @@ def _too_wide(run: CellRun, at: StationRun, tool: Tool, grip: GripInstruction) -
         f"which open to {stroke * 1e3:.4g} mm",
         label=f"pass {grip.origin.visit}",
         hint="grip it across a narrower edge, or with a gripper of a greater stroke",
-        data={"found_mm": width * 1e3, "allowed_mm": stroke * 1e3, "pass": grip.origin.visit},
+        data={"found_mm": width * 1e3, "allowed_mm": stroke * 1e3, **grip.origin.data},
     )
     return (finding,)
 

@@ -25,8 +25,9 @@ _content = bits_without(MoveInstruction, "origin", "modal")
 class KeptPlans:
     """Plans of the stations of a cell, each with the standard entities of its controller.
 
-    A plan depends on the moves of its sequence and their passes, on the moves known to follow, on the
-    position of the arm before it and on its payload; on nothing else, so that a kept plan equals a new one.
+    A plan depends on the moves of its sequence, their passes and their points of lists, on the moves
+    known to follow, on the position of the arm before it and on its payload; on nothing else, so that a kept
+    plan equals a new one.
     If the lines of its moves have moved in their text, the lines of its findings move also.
 
     Args:
@@ -79,7 +80,7 @@ class KeptPlans:
         if known is None or known[0] is not move:
             if len(self._moves) > _MOST_MOVES:
                 self._moves.clear()
-            known = move, (_content(move), self._modal_bits(move.modal), move.origin.visit)
+            known = move, (_content(move), self._modal_bits(move.modal), move.origin.visit, move.origin.point)
             self._moves[id(move)] = known
         return known[1]
 

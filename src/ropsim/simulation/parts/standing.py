@@ -85,7 +85,7 @@ def release_findings(
     """
     if not scenery.ground.known:
         return []
-    data: dict[str, object] = {"pass": origin.visit, "part": name}
+    data: dict[str, object] = {**origin.data, "part": name}
     if standing.depth > cell.supports.depth:
         return [_inside(name, standing, cell, origin, data)]  # a part held by a body does not fall
     if standing.on is not None:

@@ -102,7 +102,8 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
         channels[name] = track_channel("", name, run.tracks[name], run.tick, run.hz)
     events.sort(key=lambda event: event.time)
     arrived = _arrivals(run, programs)
-    findings = tuple(with_causes((*run.findings, *arrived.findings, *judged), events))
+    reported = run.reported.counted(run.findings, events)
+    findings = tuple(with_causes((*reported, *arrived.findings, *judged), events))
     facts = _facts(run, programs, options, arrived)
     content = RunContent(
         run.content,

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from ropsim.controller import CellSensors
-from ropsim.core import Diagnostic, Span
+from ropsim.core import Diagnostic
 from ropsim.flow import SLOWEST, Event, InputChange, Placement, WaitEvent
 from ropsim.model import Cell, Part, Tool
 from ropsim.planning import MotionSequence, NothingSensed, Sample
@@ -21,6 +21,7 @@ from ropsim.simulation.records.polling_wait import PollingWait
 from ropsim.simulation.records.track import Track
 from ropsim.simulation.state.clasp import Clasp
 from ropsim.simulation.state.inputs import signal_track
+from ropsim.simulation.state.reported import ReportedOnce
 from ropsim.simulation.state.station_run import StationRun
 from ropsim.simulation.state.watch import NobodyWatches, Watch
 from ropsim.spatial import Pose
@@ -48,8 +49,7 @@ class CellRun:
         watch: looks on.
         events: events so far.
         findings: findings so far.
-        planned_findings: first pass, as labels say it, of each kind of finding of plans, by station, code
-            and place (else words).
+        reported: which findings of plans are among the findings.
         placements: where each body hung at the start, and every change since.
         tracks: signals by the name of their channel, over ticks of the cell's clock.
         stop_tick: tick of the cell's clock from which on the run is ended by hand; None for its own end.
@@ -77,7 +77,7 @@ class CellRun:
     watch: Watch = field(default_factory=NobodyWatches)
     events: list[Event] = field(default_factory=list)
     findings: list[Diagnostic] = field(default_factory=list)
-    planned_findings: dict[tuple[str, str, Span | str], str] = field(default_factory=dict)
+    reported: ReportedOnce = field(default_factory=ReportedOnce)
     placements: list[Placement] = field(default_factory=list)
     tracks: dict[str, Track] = field(default_factory=dict)
     stop_tick: int | None = None

@@ -196,7 +196,7 @@ class Correcting:
             f"`{channel}` reads no finite number, at {time:.2f} s first: the path is not corrected meanwhile",
             label=f"pass {origin.visit}",
             hint="let the sensor say that such a reading is not valid",
-            data={"pass": origin.visit, "channel": channel, "time_s": time},
+            data={**origin.data, "channel": channel, "time_s": time},
         )
 
     def _finding(self, kind: Kind, text: str, hint: str, limit: float) -> Diagnostic:
@@ -207,7 +207,7 @@ class Correcting:
             label=f"pass {origin.visit}",
             hint=hint,
             data={
-                "pass": origin.visit,
+                **origin.data,
                 "channel": self.tracking.channel,
                 "largest_m": self.largest,
                 "limit_m": limit,

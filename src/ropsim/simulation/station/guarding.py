@@ -47,7 +47,7 @@ class Lookout:
             f"the motion came to its target, and `{self._condition}` never came true",
             label=f"pass {move.origin.visit}",
             hint="let the target lie beyond the place that is looked for, or write `timeout`",
-            data={"pass": move.origin.visit, "channel": self.guard.channel, "time_s": self.world.now()},
+            data={**move.origin.data, "channel": self.guard.channel, "time_s": self.world.now()},
         )
 
     def held_before(self, move: MoveInstruction, came: str) -> Diagnostic:
@@ -62,7 +62,7 @@ class Lookout:
             f"`{self._condition}` was true before the motion began: {came}",
             label=f"pass {move.origin.visit}",
             hint="let it become false before the motion, or ask for it in front of the motion",
-            data={"pass": move.origin.visit, "channel": self.guard.channel, "time_s": self.since},
+            data={**move.origin.data, "channel": self.guard.channel, "time_s": self.since},
         )
 
     @property

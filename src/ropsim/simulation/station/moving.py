@@ -24,7 +24,7 @@ from ropsim.simulation.state.world import SimulatedWorld
 from ropsim.simulation.station.correcting import Correcting
 from ropsim.simulation.station.following import Follower
 from ropsim.simulation.station.guarding import Lookout
-from ropsim.simulation.station.sequences import ProgramSequence, why_it_ends
+from ropsim.simulation.station.sequences import ProgramSequence, ends_with_list, why_it_ends
 from ropsim.simulation.station.settle import settle
 from ropsim.spatial import Pose
 
@@ -41,8 +41,10 @@ def move(run: CellRun, at: StationRun, sequence: ProgramSequence, world: Simulat
         planned = run.plan(at.station.name, at.chain, order)
         if motion := planned.motion:
             done_then = done + len(motion.plan.moves)
-            why = why_it_ends(sequence) if done_then == len(moves) else NEXT_IS_SKIPPED
-            _report(run, at, stopped_by(moves[done_then - 1], why))
+            if done_then < len(moves):
+                _report(run, at, stopped_by(moves[done_then - 1], NEXT_IS_SKIPPED))
+            elif not ends_with_list(sequence):
+                _report(run, at, stopped_by(moves[-1], why_it_ends(sequence)))
             texts = [sequence.said_before(done + number) for number in range(len(motion.plan.moves))]
             yield from _follow(run, at, motion, texts, world)
             done = done_then
@@ -56,10 +58,9 @@ def move(run: CellRun, at: StationRun, sequence: ProgramSequence, world: Simulat
 
 
 def _report(run: CellRun, at: StationRun, findings: Sequence[Diagnostic]) -> None:
-    """Add findings of a plan to the run: each kind of finding of a line only for its first pass."""
+    """Add findings of a plan to the run: each sort of a line only for its first pass; others are counted."""
     for one in findings:
-        key = (at.station.name, one.code, one.span or one.message)
-        if run.planned_findings.setdefault(key, one.label) == one.label:  # the label says the pass
+        if run.reported.is_new(at.station.name, one, len(run.findings)):
             run.findings.append(one)
 
 

@@ -25,9 +25,10 @@ MOST_MOVES = 20_000
 _MOST_STEPS = 1000
 """Steps that are read for them: a program may also print messages endlessly."""
 
+_ENDS = ("HALT", "STOP")
+"""ICR instructions with which a program ends."""
 _NEEDED_FOR = {
-    "HALT": "the program ends",
-    "STOP": "the program ends",
+    **dict.fromkeys(_ENDS, "the program ends"),
     "IN": "the program looks at a signal next",
     "TIME": "the program looks at the time next",
     "CURPOSE": "the program asks for the pose of the arm next",
@@ -120,6 +121,18 @@ def _ahead(moves: Sequence[MoveInstruction], steps: Steps) -> tuple[MoveInstruct
 def _flows(move: MoveInstruction) -> bool:
     """Return whether the next move may begin before a move has ended."""
     return move.guard is None and move.tracking is None and (move.modal.zone > 0.0 or move.modal.passes)
+
+
+def ends_with_list(sequence: ProgramSequence) -> bool:
+    """Return whether the program ends at a point of a list: no zone is missed at the last one."""
+    match sequence.next:
+        case Finished():
+            is_end = True
+        case SyncInstruction(before=before):
+            is_end = before in _ENDS
+        case _:
+            is_end = False
+    return is_end and sequence.moves[-1].origin.point is not None
 
 
 def why_it_ends(sequence: ProgramSequence) -> str:

@@ -90,7 +90,7 @@ def _not_in_position(at: StationRun, move: MoveInstruction) -> Diagnostic:
         label=f"pass {move.origin.visit}",
         hint="slow the move down, or widen `in_position` in the cell file",
         data={
-            "pass": move.origin.visit,
+            **move.origin.data,
             "joint": joint + 1,
             f"error_{sort}": error,
             "distance_m": away,

@@ -184,7 +184,7 @@ def _blamed(at: StationRun) -> Iterator[None]:
         yield
     except (DivergedError, LawError, ServoArrayError) as error:
         found, origin = error.diagnostic, at.origin
-        data = {**found.data, "pass": origin.visit}
+        data = {**found.data, **origin.data}
         label = f"pass {origin.visit}"
         raise type(error)(replace(found, span=origin.span, label=label, data=data)) from error
 
@@ -195,7 +195,7 @@ def _stopped(at: StationRun) -> Diagnostic:
         at.origin.span,
         "the run was ended here by hand",
         label=f"pass {at.origin.visit}",
-        data={"pass": at.origin.visit, "time_s": at.time},
+        data={**at.origin.data, "time_s": at.time},
     )
 
 
@@ -206,5 +206,5 @@ def _too_long(at: StationRun, options: RunOptions) -> Diagnostic:
         f"the program still runs after {options.longest:g} s of simulated time, it was stopped here",
         label=f"pass {at.origin.visit}",
         hint="give the loop an end or fewer passes, or a long wait a shorter time",
-        data={"pass": at.origin.visit, "time_s": at.time},
+        data={**at.origin.data, "time_s": at.time},
     )

@@ -33,5 +33,5 @@ def hold_finding(run: CellRun, at: StationRun) -> Diagnostic:
         label=f"pass {at.origin.visit}",
         hint=f"add a change of the override after that, such as 1 (less than {SLOWEST:g} counts as 0), "
         "or end the inputs before the hold",
-        data={"station": at.station.name, "time_s": since, "pass": at.origin.visit},
+        data={"station": at.station.name, "time_s": since, **at.origin.data},
     )

@@ -91,7 +91,7 @@ def _finding(run: CellRun, at: StationRun, programs: Mapping[str, Program]) -> D
             f"`{name}` waits for ever, from t = {at.time:.2f} s on: it looks at nothing that could change",
             label=f"pass {origin.visit}",
             hint="let the condition read a signal, or count the passes",
-            data={"station": name, "channel": "", "time_s": at.time, "pass": origin.visit},
+            data={"station": name, "channel": "", "time_s": at.time, **origin.data},
         )
     notes = [note for channel in _channels(at) for note in _notes(run, at, channel, programs)]
     return WAITS_IN_VAIN.at(
@@ -104,7 +104,7 @@ def _finding(run: CellRun, at: StationRun, programs: Mapping[str, Program]) -> D
             "station": name,
             "channel": ", ".join(_channels(at)),
             "time_s": at.time,
-            "pass": origin.visit,
+            **origin.data,
         },
     )
 

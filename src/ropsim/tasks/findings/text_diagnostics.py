@@ -234,7 +234,8 @@ A file `points/NAME.csv` has the names of its columns, their units, and a point 
 may be empty or left out; pitch and roll, too. These have the meaning of `(x, y, z, pitch, roll)` in the
 task language: the approach direction of the tool is level at pitch 0 and down at pitch 90. A last column
 `yaw` may follow: the azimuth of the approach direction, 0 along +x. Where it is empty it is the azimuth of
-the point. Lengths are in mm, cm, m or inch, angles in deg or rad. A list has at most 100 000 points.
+the point. Lengths are in mm, cm, m or inch, angles in deg or rad. Titles may have the units themselves, as in
+`x [mm]`; the line of units may be left out then. A list has at most 100 000 points.
 
 Cells are separated by commas, by semicolons or by tabs, as the first line shows. Where these are no commas,
 numbers may have decimal commas, as in `12,5;3,0`. The message is about the marked cell; while a line of a

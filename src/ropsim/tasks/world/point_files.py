@@ -8,6 +8,8 @@ from ropsim.tasks.findings.text_diagnostics import POINT_LIST
 from ropsim.tasks.world.point_list import FORM, PointList, points_of
 
 MOST_BYTES = 20_000_000
+_LOOKED_AT = 100
+"""Bytes at the beginning that tell UTF-16 without a mark."""
 _ENCODINGS = ((b"\xef\xbb\xbf", "utf-8-sig"), (b"\xff\xfe", "utf-16"), (b"\xfe\xff", "utf-16"))
 
 
@@ -20,7 +22,7 @@ def read_point_list(path: Path) -> tuple[PointList | None, tuple[Diagnostic, ...
 def point_text_of(folder: Path, path: Path, label: str) -> tuple[SourceText | None, tuple[Diagnostic, ...]]:
     """Return the text of a list of a project under a name, None where it is none.
 
-    It is in UTF-8, in UTF-16 with its mark, or in Windows-1252 as spreadsheets write it.
+    It is in UTF-8, in UTF-16, or in Windows-1252 as spreadsheets write it.
     """
     try:
         place_inside(folder, path.relative_to(folder))
@@ -33,7 +35,7 @@ def _text_of(path: Path, label: str) -> tuple[SourceText | None, tuple[Diagnosti
     try:
         size = path.stat().st_size
         if size > MOST_BYTES:
-            message = f"`{label}` has {size} bytes, allowed are {MOST_BYTES}"
+            message = f"`{label}` has {size / 1e6:.4g} MB, allowed are {MOST_BYTES / 1e6:g} MB"
             return None, (POINT_LIST.at(None, message, hint="cut it into several lists"),)
         content = read_bytes(path, MOST_BYTES)
     except OSError as error:
@@ -46,6 +48,8 @@ def decoded(content: bytes) -> str:
     for mark, encoding in _ENCODINGS:
         if content.startswith(mark):
             return content.decode(encoding, "replace")
+    if b"\0" in (begin := content[:_LOOKED_AT]):  # each second byte of UTF-16 is one in the titles
+        return content.decode("utf-16-be" if begin[:1] == b"\0" else "utf-16-le", "replace")
     try:
         return content.decode("utf-8")
     except UnicodeDecodeError:

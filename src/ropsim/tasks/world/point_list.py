@@ -1,5 +1,6 @@
 """Lists of points in files: `points/NAME.csv` with a line of names, one of units and one for each point."""
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import field
 from math import atan2, radians
@@ -12,6 +13,7 @@ from ropsim.tasks.terms.expression_text import short_text
 from ropsim.tasks.terms.point import Coordinates, Numbers, typed_numbers, typed_point
 from ropsim.tasks.world.point_cells import (
     LONGEST,
+    SEPARATORS,
     CellError,
     Separator,
     cells_of,
@@ -35,6 +37,8 @@ FARTHEST = 1e9
 """Largest number of a point [mm, deg]."""
 _QUANTITIES = ("x", "y", "z", "pitch", "roll", YAW[0])
 FORM = f"the first line is `{','.join(COLUMNS)}`, the second its units: `{','.join(UNITS)}`; or also yaw"
+_WITH_UNIT = re.compile(r"([A-Za-z]+)\s*[\[(]\s*([A-Za-z°]*)\s*[\])]")
+"""A title with its unit, such as `x [mm]` or `X (mm)`."""
 _SAYS_SEPARATOR = "sep="
 """Begins a line above the titles in which spreadsheets say their separator."""
 
@@ -101,24 +105,31 @@ class _Reader:
 
     def columns(self) -> _Columns | None:
         """Read titles and units; None where they are wrong, which is reported."""
-        number = 1
-        if self.text.line(1).strip().lower().startswith(_SAYS_SEPARATOR):
-            number = 2
+        number = self._written(1)
+        if self.text.line(number).strip().lower().startswith(_SAYS_SEPARATOR):
+            number = self._written(number + 1)
         titles = self.text.line(number).removeprefix("\ufeff")
         self.separator = separator_of(titles)
         try:
-            heads = self._titles(cells_of(titles, self.separator))
+            heads, units = self._titles(cells_of(titles, self.separator))
         except CellError as error:
             self._report(number, error)
             return None
+        second = self._written(number + 1)
         try:
-            scales = self._scales(cells_of(self.text.line(number + 1), self.separator), heads)
+            cells = cells_of(self.text.line(second), self.separator)
+            scales, has_units = self._scales(cells, heads, units)
         except CellError as error:
-            self._report(number + 1, error)
+            self._report(second, error)
             return None
         wanted = tuple(word for word in _QUANTITIES if word in heads)
         places = tuple((heads[word], scales[word]) for word in wanted)
-        return _Columns(heads.get("name", -1), places, len(heads), number + 2)
+        return _Columns(heads.get("name", -1), places, len(heads), second + has_units)
+
+    def _written(self, number: int) -> int:
+        """Return the number of the first line from one on with anything but separators; that one for none."""
+        lines = enumerate(self.text.lines[number - 1 :], number)
+        return next((k for k, line in lines if line.strip("".join(SEPARATORS) + '\ufeff "\r')), number)
 
     def rows(self, columns: _Columns) -> None:
         """Read the points."""
@@ -196,17 +207,19 @@ class _Reader:
             hint = "names stand for the first point that has them: rename one"
             self.findings.append(POINT_TWICE.at(place, message, hint=hint, data={"found": shown(name)}))
 
-    def _titles(self, cells: Sequence[str]) -> dict[str, int]:
-        """Return the index of each column by its title.
+    def _titles(self, cells: Sequence[str]) -> tuple[dict[str, int], dict[str, str]]:
+        """Return the index of each column by its title, and the units in titles such as `x [mm]`.
 
         Raises:
             CellError: a title is unknown or stands twice, or one is missing.
         """
         heads: dict[str, int] = {}
+        units: dict[str, str] = {}
         while cells and not cells[-1]:
             cells = cells[:-1]
         for index, cell in enumerate(cells):
-            word = cell.lower()
+            titled = _WITH_UNIT.fullmatch(cell)
+            word = (titled[1] if titled else cell).lower()
             allowed = ("name", *_QUANTITIES)
             if word not in allowed:
                 hint = did_you_mean(word[:40], allowed) or FORM
@@ -215,32 +228,51 @@ class _Reader:
             if word in heads:
                 raise CellError(index, f"the column `{word}` stands twice", "leave one out")
             heads[word] = index
+            if titled:
+                units[word] = titled[2].lower()
         missing = [word for word in ("x", "y", "z") if word not in heads]
         if ("pitch" in heads) != ("roll" in heads) or (YAW[0] in heads and "pitch" not in heads):
             missing += [word for word in ("pitch", "roll") if word not in heads]
         if missing:
-            raise CellError(-1, f"the columns {', '.join(missing)} are missing", FORM)
-        return heads
+            are = "columns {} are" if len(missing) > 1 else "column {} is"
+            raise CellError(-1, f"the {are.format(', '.join(missing))} missing", FORM)
+        return heads, units
 
-    def _scales(self, cells: Sequence[str], heads: Mapping[str, int]) -> dict[str, float]:
-        """Return the factor of each column to mm or degrees.
+    def _scales(
+        self, cells: Sequence[str], heads: Mapping[str, int], titled: Mapping[str, str]
+    ) -> tuple[dict[str, float], bool]:
+        """Return the factor of each column to mm or degrees, and whether the cells are units.
+
+        They need not be if all titles have their units.
+
+        Args:
+            cells: of the line behind the titles.
+            heads: index of each column by its title.
+            titled: units in titles.
 
         Raises:
-            CellError: the line has no units, or an unknown one.
+            CellError: a column has no unit, an unknown one, or another one than in its title.
         """
         found: dict[str, float] = {}
-        for word in (one for one in _QUANTITIES if one in heads):
+        wanted = [one for one in _QUANTITIES if one in heads]
+        has_units = not all(one in titled for one in wanted) or all(
+            _cell(cells, heads[one]).lower() in ("", *SCALES, *DEGREES) for one in wanted
+        )
+        for word in wanted:
             index = heads[word]
-            unit = _cell(cells, index)
+            unit = (_cell(cells, index) if has_units else "").lower() or titled.get(word, "")
+            if unit != titled.get(word, unit):
+                message = f"`{word}` is in `{shown(unit)}` here and in `{titled[word]}` by its title"
+                raise CellError(index, message, "leave one of the two units out")
             allowed = SCALES if word in ("x", "y", "z") else DEGREES
             if unit not in allowed:
                 units = ", ".join(allowed)
                 message = f"`{shown(unit)}` is no unit of `{word}`, allowed are {units}"
                 if not unit or _is_number(unit, self.separator):
-                    message = f"the second line gives no unit of `{word}`, allowed are {units}"
+                    message = f"the line below the titles gives no unit of `{word}`, allowed are {units}"
                 raise CellError(index, message, FORM)
             found[word] = allowed[unit]
-        return found
+        return found, has_units
 
     def _counts(self) -> bool:
         """Count one more finding; return whether it is to be reported."""

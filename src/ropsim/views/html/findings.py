@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from ropsim.core import SourceText, plural
 from ropsim.flow import SkipEvent
 from ropsim.views.markup.markup import prose, table, text
-from ropsim.views.summary.findings import FindingGroup, passes_text
+from ropsim.views.summary.findings import FindingGroup
 from ropsim.views.summary.summary import Summary
 from ropsim.views.terminal.columns import Style, Tone
 from ropsim.views.terminal.snippet import Mark, snippet
@@ -29,7 +29,7 @@ def findings_section(summary: Summary, sources: Mapping[str, SourceText]) -> str
 
 def _finding(group: FindingGroup, sources: Mapping[str, SourceText]) -> str:
     first = group.first
-    where = f" ({passes_text(group.passes)})" if group.passes else ""
+    where = f" ({prose(group.where)})" if group.where else ""
     repeats = (
         f'<p class="quiet">{plural(group.count, "time")}{where}; the first is shown.</p>'
         if group.count > 1

@@ -106,9 +106,16 @@ def time_of(finding: Diagnostic, events: Iterable[Event]) -> float | None:
     if finding.span is None:
         return None
     place = (finding.span.source, finding.span.line)
-    visit = finding.data.get("pass")
     there = (event for event in events if event.span and (event.span.source, event.span.line) == place)
-    return next((one.time for one in there if visit in {None, one.visit}), None)
+    return next((one.time for one in there if _is_of(finding, one)), None)
+
+
+def _is_of(finding: Diagnostic, event: Event) -> bool:
+    """Return whether a finding on the line of an event may have come with it."""
+    point = event.origin.point if event.origin else None
+    if point and "list" in finding.data:
+        return (finding.data["list"], finding.data.get("point")) == (point.list, point.number)
+    return finding.data.get("pass") in {None, event.visit}
 
 
 def plain_finding(

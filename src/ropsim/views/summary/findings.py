@@ -6,6 +6,8 @@ from ropsim.core import Diagnostic, Severity, frozen_dataclass, plural
 
 PASS = "pass"
 """Key of the loop pass in the data of a finding."""
+LIST, POINT = "list", "point"
+"""Keys of the list of points, and of the number of the point in it, in the data of a finding."""
 FOLLOWS = "follows_line"
 """Key of the line from which a finding likely follows, in its data; `follows_source` is next to it."""
 STATION = "station"
@@ -19,12 +21,22 @@ class FindingGroup:
     Attributes:
         first: the one that came first; its figures are shown.
         count: how many there are.
-        passes: the loop passes (`pass` in the data) in which it came, in order, each once.
+        passes: the loop passes (`pass` in the data) in which it came, in order, each once; none where it
+            came at points of a list.
+        points: numbers of the points of a list (`list` and `point` in the data) at which it came, likewise.
     """
 
     first: Diagnostic
     count: int
     passes: tuple[int, ...]
+    points: tuple[int, ...] = ()
+
+    @property
+    def where(self) -> str:
+        """Return in which passes or at which points it came, in words; empty where neither is known."""
+        if self.points:
+            return f"{runs_text('point', self.points)} of `{self.first.data.get(LIST)}`"
+        return runs_text("pass", self.passes) if self.passes else ""
 
     @property
     def follows(self) -> int:
@@ -41,18 +53,19 @@ class FindingGroup:
 def group_findings(findings: Iterable[Diagnostic]) -> tuple[FindingGroup, ...]:
     """Return groups of equal code and place, in the order of their first member.
 
-    Findings of a run (with a loop `pass` in their data) are one group when code, span, station, cause and
-    joint agree, regardless of figures in their messages; all others only when the message agrees as well, so
-    two different mistakes on one word stay two.
+    Findings of a run (with a loop `pass` in their data) are one group when code, span, station, list,
+    joint and causes agree, regardless of figures in their messages; all others only when the message agrees
+    as well, so two different mistakes on one word stay two.
     """
     groups: dict[tuple[object, ...], list[Diagnostic]] = {}
     for finding in findings:
         repeats = finding.span is not None and PASS in finding.data
-        sameness = finding.data.get("joint") if repeats else finding.message
+        own = (finding.data.get(key) for key in ("joint", "cause", LIST))
+        sameness = tuple(own) if repeats else finding.message
         where = (finding.span, finding.data.get(STATION), finding.data.get(FOLLOWS))
         key = (finding.code, finding.severity, *where, repr(sameness))
         groups.setdefault(key, []).append(finding)
-    return tuple(FindingGroup(group[0], len(group), _passes(group)) for group in groups.values())
+    return tuple(map(_group, groups.values()))
 
 
 def below_causes(groups: Iterable[FindingGroup]) -> tuple[FindingGroup, ...]:
@@ -83,17 +96,18 @@ def count_text(findings: Iterable[Diagnostic]) -> str:
     return ", ".join(parts) or "no findings"
 
 
-def passes_text(passes: tuple[int, ...], limit: int = 8) -> str:
-    """Return such as `passes 1-3, 7`, runs joined, at most `limit` of them."""
+def runs_text(word: str, numbers: tuple[int, ...], limit: int = 8) -> str:
+    """Return such as `passes 1-3, 7`, runs joined, at most `limit` of them; the word is in the singular."""
     runs: list[list[int]] = []
-    for visit in passes:
-        if runs and visit == runs[-1][1] + 1:
-            runs[-1][1] = visit
+    for number in numbers:
+        if runs and number == runs[-1][1] + 1:
+            runs[-1][1] = number
         else:
-            runs.append([visit, visit])
+            runs.append([number, number])
     texts = [str(first) if first == last else f"{first}-{last}" for first, last in runs]
     more = ["…"] if len(texts) > limit else []
-    return f"{'pass' if len(passes) == 1 else 'passes'} {', '.join(texts[:limit] + more)}"
+    several = {"pass": "passes"}.get(word, f"{word}s")
+    return f"{word if len(numbers) == 1 else several} {', '.join(texts[:limit] + more)}"
 
 
 def place_text(line: int, visit: int) -> str:
@@ -102,6 +116,11 @@ def place_text(line: int, visit: int) -> str:
     return f" ({' '.join(parts)})" if parts else ""
 
 
-def _passes(group: list[Diagnostic]) -> tuple[int, ...]:
-    visits = (finding.data.get(PASS) for finding in group)
-    return tuple(sorted({visit for visit in visits if isinstance(visit, int)}))
+def _group(group: list[Diagnostic]) -> FindingGroup:
+    points = _numbers(group, POINT) if LIST in group[0].data else ()
+    return FindingGroup(group[0], len(group), () if points else _numbers(group, PASS), points)
+
+
+def _numbers(group: list[Diagnostic], key: str) -> tuple[int, ...]:
+    numbers = (finding.data.get(key) for finding in group)
+    return tuple(sorted({number for number in numbers if isinstance(number, int)}))

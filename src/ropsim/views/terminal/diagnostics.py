@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 
 from ropsim.core import Diagnostic, Label, Severity, SourceText, Span, frozen_dataclass, plural
-from ropsim.views.summary.findings import FindingGroup, count_text, group_findings, passes_text
+from ropsim.views.summary.findings import FindingGroup, count_text, group_findings
 from ropsim.views.terminal.columns import Style, Tone, paint
 from ropsim.views.terminal.snippet import Mark, snippet
 from ropsim.views.words.characters import clean
@@ -100,7 +100,7 @@ def _remarks(group: FindingGroup) -> list[tuple[str, str]]:
     diagnostic = group.first
     remarks = [("note", line) for note in diagnostic.notes for line in note.splitlines()]
     if group.count > 1:
-        where = f" ({passes_text(group.passes)})" if group.passes else ""
+        where = f" ({group.where})" if group.where else ""
         remarks.append(("note", f"found {plural(group.count, 'time')} here{where}; the first is shown"))
     if diagnostic.hint:
         remarks.append(("hint", diagnostic.hint))

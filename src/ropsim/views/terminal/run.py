@@ -5,7 +5,7 @@ from collections.abc import Iterable
 
 from ropsim.core import Severity
 from ropsim.views.summary.device_summary import device_text
-from ropsim.views.summary.findings import FindingGroup, passes_text
+from ropsim.views.summary.findings import FindingGroup
 from ropsim.views.summary.station_summary import StationSummary
 from ropsim.views.summary.summary import Summary
 from ropsim.views.summary.verdict import Verdict, verdict
@@ -141,8 +141,8 @@ def _finding(group: FindingGroup, style: Style) -> Iterable[str]:
     repeats = f"{group.count} × " if group.count > 1 else ""
     place = f"{clean(str(first.span))}: " if first.span else ""
     text = f"{code} {repeats}{place}{clean(first.message)}"
-    if group.count > 1 and group.passes:
-        text += f" ({passes_text(group.passes)})"
+    if group.count > 1 and group.where:
+        text += f" ({clean(group.where)})"
     text += f" – {group.cause_text}" if group.cause_text else ""
     wrapped = textwrap.wrap(text, COLUMNS, subsequent_indent="  ", break_on_hyphens=False) or [code]
     yield wrapped[0].replace(code, paint(code, _TONES[first.severity], style), 1)

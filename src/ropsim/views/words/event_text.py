@@ -16,10 +16,15 @@ from ropsim.flow import (
 
 
 def event_text(event: Event) -> str:
-    """Return an event as a few words, such as `LIN pass 3`; a message has the text of the program."""
+    """Return an event as a few words, `LIN pass 3` or `LIN to seam 3`; a message has its own text."""
     match event:
         case MoveEvent(motion=motion):
-            return f"{motion} pass {event.visit}"
+            point = event.origin.point if event.origin else None
+            return (
+                f"{motion} to point {point.number} of {point.list}"
+                if point
+                else f"{motion} pass {event.visit}"
+            )
         case SkipEvent(motion=motion):
             return f"{motion} not possible"
         case WaitEvent(pause=pause):

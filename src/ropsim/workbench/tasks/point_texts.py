@@ -1,6 +1,7 @@
 """The texts of the lists of points of a project, and the lists that its programs can use."""
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import field
 from pathlib import Path
 
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
@@ -18,10 +19,12 @@ class PointTexts:
     Attributes:
         texts: by the name of the list, in their order.
         findings: errors in the folder.
+        unread: names of the texts that cannot be read, by the name of the list.
     """
 
     texts: Mapping[str, SourceText]
     findings: tuple[Diagnostic, ...] = ()
+    unread: Mapping[str, str] = field(default_factory=dict)
 
 
 NO_POINTS = PointTexts({})
@@ -48,12 +51,15 @@ def read_point_texts(folder: Path, named: Callable[[str], str] = lambda place: p
 
     texts: dict[str, SourceText] = {}
     findings: list[Diagnostic] = []
+    unread: dict[str, str] = {}
     for path in point_files(folder):
-        text, found = point_text_of(folder, path, named(f"{POINTS}/{path.name}"))
+        text, found = point_text_of(folder, path, label := named(f"{POINTS}/{path.name}"))
         findings += found
-        if text is not None:
+        if text is None:
+            unread[path.stem] = label
+        else:
             texts[path.stem] = text
-    return PointTexts(texts, tuple(findings))
+    return PointTexts(texts, tuple(findings), unread)
 
 
 def read_table(text: SourceText, name: str) -> ReadTable:

@@ -124,9 +124,11 @@ def point_text(db: Database, cell: str, name: str) -> SourceText:
 
 
 def point_tables(db: Database, cell: str) -> Mapping[str, language.PointTable]:
-    """Return the lists of points that programs of a project can use."""
-    found = {name: db.ask(point_table, cell, name).table for name in _point_texts(db, cell).texts}
-    return {name: one for name, one in found.items() if one is not None}
+    """Return the lists of points that programs of a project can name; those that are wrong have no points."""
+    texts = _point_texts(db, cell)
+    found = {name: db.ask(point_table, cell, name).table for name in texts.texts}
+    unread = {name: language.PointTable((), source=source) for name, source in texts.unread.items()}
+    return unread | {name: one for name, one in found.items() if one is not None}
 
 
 def point_findings(db: Database, name: str, folder: str) -> tuple[Diagnostic, ...]:

@@ -193,3 +193,46 @@ def test_the_wrist_near_its_singularity_is_named_and_wrist_angles_pass_it() -> N
     other = across_wrist(OrientationMode.WRIST_ANGLES)
     assert [move.code for move in other.findings if move.code == "M563"] == []
     assert other.duration < 0.7 * found.duration
+
+
+def sine(step: float, count: int) -> list[MoveInstruction]:
+    """Return short lines along a sine of 5 mm, 40 mm long, with zones."""
+    ways = [(0.005 * math.sin(2.0 * math.pi * step * k / 0.04), step * k) for k in range(1, count + 1)]
+    return [lin(x, y, 0.2, zone=0.001 if k < count else 0.0) for k, (x, y) in enumerate(ways, 1)]
+
+
+LIMITED = [
+    ({"acceleration": 2.0, "jerk": 2.0}, (LimitQuantity.JERK,)),
+    ({"acceleration": 0.2, "jerk": 400.0}, (LimitQuantity.ACCELERATION,)),
+]
+
+
+@pytest.mark.parametrize(("limits", "helps"), LIMITED)
+@pytest.mark.parametrize("ways", [sine(0.001, 80), zigzag(0.03, 0.002, 1.0, 8)], ids=["curve", "corners"])
+def test_the_limit_of_the_path_that_binds_is_named_and_no_other(
+    limits: dict[str, float], helps: tuple[LimitQuantity, ...], ways: list[MoveInstruction]
+) -> None:
+    """More of it makes the motion quicker by a tenth of what is lost, more of the other one does not."""
+    by = chain_of(one_station("c", QUICK, replace(CONTROLLER, path=replace(PATH, **limits)), start=Q))
+    before = planned(ways, by)
+    found = [one.reached for one in before.moves if one.reached and one.reached.helps]
+    assert found
+    assert {one.helps for one in found} == {helps}
+
+    def saved(name: str) -> float:
+        more = replace(PATH, **{**limits, name: 2.0 * limits[name]})
+        raised = chain_of(one_station("c", QUICK, replace(CONTROLLER, path=more), start=Q))
+        return before.duration - planned(ways, raised).duration
+
+    lost = sum(one.reached.lost for one in before.moves if one.reached)
+    other = next(one for one in limits if one != helps[0].value)
+    assert saved(helps[0].value) > 0.1 * lost
+    assert saved(other) < saved(helps[0].value) / 3.0
+
+
+def test_no_limit_of_the_path_is_named_where_joints_would_take_it_back() -> None:
+    """Joints of little jerk bind everywhere: the tool could have more."""
+    joints = tuple(replace(one, max_jerk=one.max_jerk * 0.02) for one in ROBOT.joints if one.max_jerk)
+    slow = replace(ROBOT, joints=joints, drives=())
+    found = reached(sine(0.001, 80), chain(slow))
+    assert [one for one in found if one and one.helps] == []

@@ -194,7 +194,8 @@ def test_a_point_that_comes_twice_ends_a_chain(twice: int) -> None:
     points = np.insert(wave(0.0025, 14), twice, wave(0.0025, 14)[twice], axis=0)
     done = flown(IRB, points, 0.001, 0.3)
     assert len(curves(done)) == (2 if twice else 1)
-    assert {found.code for found in done.findings} == {"M560", "M576"}
+    stops = [found.message.rpartition(": ")[2] for found in done.findings if found.code == "M560"]
+    assert stops == (["the next move has the same target"] if twice else [])  # at the start it stands there
     np.testing.assert_allclose(positions_of(IRB, done)[-1], points[-1], atol=1e-9)
 
 
@@ -259,3 +260,32 @@ def test_the_deviation_is_that_of_the_curve_which_is_farthest_off() -> None:
     places = positions_of(IRB, done)
     beside = np.linalg.norm(places - points[15], axis=1) > 0.0005
     assert distances(places[beside], points).max() <= said["deviation_m"] + 1e-8
+
+
+def mixed(step: float, turns: int) -> Array:
+    """Return gentle arcs of short lines with sharp corners between them [m]."""
+    places, heading, here = [np.array((0.32, -0.12, 0.45))], 0.0, np.array((0.32, -0.12, 0.45))
+    for leg in range(turns):
+        for _ in range(30):
+            heading += 0.012
+            here = here + step * np.array((math.cos(heading), math.sin(heading), 0.0))
+            places.append(here)
+        heading += math.radians(75.0 if leg % 2 else 50.0)
+    return np.array(places)
+
+
+@pytest.mark.parametrize("zone", [0.0005, 0.001, 0.004])
+@pytest.mark.parametrize("step", [0.002, 0.003])
+def test_the_stated_deviation_is_the_greatest_of_curves_and_corners(zone: float, step: float) -> None:
+    """No tick is farther from the lines, and one is nearly as far: corners have zones besides curves."""
+    points = mixed(step, 3)
+    done = flown(IRB, points, zone, 0.1)
+    (said,) = curves(done)
+    assert said["curves"] == 3
+    away = distances(positions_of(IRB, done), points)
+    assert away.max() <= said["deviation_m"] * (1.0 + 1e-4) + 1e-8
+    assert away.max() >= 0.95 * said["deviation_m"]
+    corners = [move.last for move in done.moves if move.zone > 0.0]
+    assert corners
+    (message,) = (one.message for one in done.findings if one.code == "M576")
+    assert "zones at the other corners included" in message

@@ -186,7 +186,7 @@ def test_a_posture_change_is_a_hint_and_takes_the_shortest_way() -> None:
     ]
     assert move.duration == min(times)
     (again,) = planned(ptp(goal, visit=2), q_start).findings
-    assert again == replace(move.findings[0], label="reached in pass 2")
+    assert again == replace(move.findings[0], label="reached in pass 2", data={"pass": 2})
 
 
 TWO_LINK = robots.load("two_link")

@@ -61,10 +61,10 @@ def found(*events: MoveEvent, slowed: frozenset[int] = frozenset()) -> tuple[Dia
         ),
         (
             {"cause": SpeedCause.ZONE, "value": 0.002, "corner": 1.5},
-            "a zone of 2 mm at a corner of 86°",
+            "a zone of 2 mm at a corner of 85.9°",
             "larger zone",
         ),
-        ({"cause": SpeedCause.BEND, "value": 0.02}, "it is bent, radius 20 mm", "wider bend"),
+        ({"cause": SpeedCause.BEND, "value": 0.02}, "the way is bent, radius 20 mm", "wider bend"),
         (
             {
                 "cause": SpeedCause.JOINT,
@@ -104,8 +104,62 @@ def test_what_costs_next_to_nothing_is_not_said() -> None:
 
 def test_passes_of_a_line_are_said_once_and_add_up() -> None:
     (one,) = found(*(move(7, replace(SLOW, lost=0.05 + 0.01 * k), ordinal=k) for k in range(3)))
-    assert "costs 0.18 s in 3 passes" in one.message
+    assert one.message.endswith(
+        "; in 3 passes it takes 1.50 s, 1.25 s of it for ramps at stops, at full speed all the way 0.07 s"
+    )
     assert one.data["lost_s"] == pytest.approx(0.18)
+
+
+def test_time_that_a_line_does_not_lose_at_stops_is_not_called_ramps() -> None:
+    (one,) = found(move(7, replace(SLOW, lost=0.475)))
+    assert one.message.endswith("; it takes 0.50 s, at full speed all the way 0.02 s")
+
+
+@pytest.mark.parametrize(
+    ("helps", "advice"),
+    [
+        ((LimitQuantity.JERK,), "; or more `path_jerk`, if"),
+        ((LimitQuantity.ACCELERATION,), "; or more `path_acceleration`, if"),
+        (
+            (LimitQuantity.JERK, LimitQuantity.ACCELERATION),
+            "; or more `path_jerk` and `path_acceleration`, if",
+        ),
+        ((), None),
+        (None, None),
+    ],
+)
+@pytest.mark.parametrize(
+    "cause", [SpeedCause.ACCELERATION, SpeedCause.JERK, SpeedCause.ZONE, SpeedCause.BEND]
+)
+def test_only_limits_that_help_are_advised(
+    helps: tuple[LimitQuantity, ...] | None, advice: str | None, cause: SpeedCause
+) -> None:
+    (one,) = found(move(7, replace(SLOW, cause=cause, value=2.0, helps=helps)))
+    assert one.hint is not None
+    assert (advice is None) == ("path_" not in one.hint)
+    assert advice is None or advice in one.hint
+
+
+def test_many_moves_of_a_line_are_summed_up_with_the_cause_that_costs_most() -> None:
+    worst = replace(SLOW, lost=0.11, cause=SpeedCause.ZONE, value=0.002, corner=1.5)
+    moves = [
+        move(7, replace(SLOW, lost=0.06, cause=SpeedCause.BEND, value=0.02), ordinal=k) for k in range(6)
+    ]
+    (one,) = found(*moves, move(7, worst, ordinal=6))
+    assert one.message.startswith(
+        "7 moves of this line, 10 mm long on average, are flown at 20 of 400 mm/s: the way is bent"
+    )
+    assert "wider bend" in (one.hint or "")
+
+
+def test_a_curve_through_many_points_is_told_what_is_quicker() -> None:
+    curve = replace(move(7, replace(SLOW, cause=SpeedCause.BEND, value=0.02, points=2000)), motion="SPLINE")
+    (one,) = found(curve)
+    assert one.hint is not None
+    assert "fewer of them" in one.hint
+    assert "`lin along … blend …`" in one.hint
+    few = replace(move(7, replace(SLOW, cause=SpeedCause.BEND, value=0.02, points=5)), motion="SPLINE")
+    assert "fewer" not in (found(few)[0].hint or "")
 
 
 def test_a_line_that_is_reported_for_its_joint_already_is_left_out() -> None:
@@ -118,7 +172,9 @@ def test_a_chain_of_many_lines_is_said_once_at_its_first_line() -> None:
     assert one.span is not None
     assert one.span.line == 10
     assert "a chain of 8 lines begins here that is flown at 20 of 400 mm/s" in one.message
-    assert "costs 2.40 s" in one.message
+    assert (
+        "; it takes 4.00 s, 1.40 s of it for ramps at stops, at full speed all the way 0.20 s" in one.message
+    )
     assert one.data["lines"] == 8
 
 
@@ -129,7 +185,7 @@ def test_several_chains_are_one_finding_too() -> None:
         for k in range(8)
     ]
     (one,) = found(*chains)
-    assert "costs 7.20 s; 2 more chains like this" in one.message
+    assert "; with 2 more chains like this it takes 12.00 s" in one.message
 
 
 def test_moves_with_stops_between_them_are_no_chain() -> None:

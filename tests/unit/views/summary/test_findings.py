@@ -1,6 +1,6 @@
 from ropsim.core import Diagnostic, Severity, Span
 from ropsim.views import count_text, group_findings
-from ropsim.views.testing import passes_text
+from ropsim.views.testing import runs_text
 from support.recordings import two_findings
 
 PLACE = Span("a.task", 3, 1, 3, 4)
@@ -27,12 +27,12 @@ def test_different_joints_at_one_place_stay_apart() -> None:
 
 
 def test_runs_of_passes_are_joined() -> None:
-    assert passes_text((1, 2, 3, 7)) == "passes 1-3, 7"
-    assert passes_text((4,)) == "pass 4"
+    assert runs_text("pass", (1, 2, 3, 7)) == "passes 1-3, 7"
+    assert runs_text("pass", (4,)) == "pass 4"
 
 
 def test_long_lists_of_passes_are_cut() -> None:
-    assert passes_text(tuple(range(1, 99, 2)), limit=3) == "passes 1, 3, 5, …"
+    assert runs_text("pass", tuple(range(1, 99, 2)), limit=3) == "passes 1, 3, 5, …"
 
 
 def test_counts_are_told_by_severity() -> None:

@@ -12,6 +12,7 @@ from ropsim.flow import (
     GripAction,
     GripInstruction,
     Instruction,
+    ListedPoint,
     ModalState,
     MotionKind,
     MoveInstruction,
@@ -23,7 +24,15 @@ from ropsim.flow import (
 from ropsim.icr.machine import trap_kinds as kinds
 from ropsim.icr.machine.geometry import check_same_frame
 from ropsim.icr.machine.handlers import Datum
-from ropsim.icr.machine.location import Location, composed, external_part, pose_part, posture_of, tag_of
+from ropsim.icr.machine.location import (
+    Location,
+    composed,
+    external_part,
+    point_of,
+    pose_part,
+    posture_of,
+    tag_of,
+)
 from ropsim.icr.machine.operations.command_pose import command_pose
 from ropsim.icr.machine.site import Operation, Site, barrier
 from ropsim.icr.machine.state import Commanded, CommandedJoints, Finished, Registers
@@ -34,11 +43,12 @@ from ropsim.spatial import Pose
 
 
 class _AtPose(NamedTuple):
-    """Attributes of the target pose of a move; see `MoveInstruction`."""
+    """Attributes of the target pose of a move; see `MoveInstruction` and `Origin`."""
 
     external: tuple[float, ...] = ()
     via: tuple[Pose, ...] = ()
     posture: PostureRequest | None = None
+    point: ListedPoint | None = None
 
 
 _NOTHING = _AtPose()
@@ -106,7 +116,7 @@ def _moved(
     X_KT, *X_KV = [_pose(_NUMBERS.pack(*pose_part(one))) for one in (target, *via)]
     if (tag := tag_of(target)) is not None:
         modal = registers.changed(("FRAME", tag.name), frame=tag.name, X_BK=tag.X_BK)
-    more = _AtPose(external_part(target), tuple(X_KV), posture_of(target))
+    more = _AtPose(external_part(target), tuple(X_KV), posture_of(target), point_of(target))
     return _told(registers, site, kind, X_KT, modal, more)
 
 
@@ -127,8 +137,8 @@ def _told(
     tracking, registers.tracking = registers.tracking, None
     if guard is not None or tracking is not None:
         registers.commanded = None
-    origin = registers.origin(site.key, site.span)
-    external, via, posture = more
+    external, via, posture, point = more
+    origin = registers.origin(site.key, site.span, point)
     return _move(kind, target, modal, origin, external, via, None, triggers, guard, posture, tracking)
 
 
