@@ -1,5 +1,8 @@
 """The studio's editor holds what is typed: no list takes a key, and lines keep the depth of their blocks."""
 
+import shutil
+from pathlib import Path
+
 import pytest
 
 from support.browser import UNDRAWN
@@ -105,3 +108,32 @@ def test_random_programs_stand_as_they_were_typed(fresh: StudioPage) -> None:
     assert [one.fault for one in results if one.fault] == []
     assert sum(one.taken for one in results) > 0
     assert sum(len(one.latencies) for one in results) > len(SEEDS)  # lists have come
+
+
+def test_lists_and_names_of_points_are_offered_as_they_are_typed(fresh: StudioPage, first_cell: Path) -> None:
+    points = first_cell / "points"
+    points.mkdir()
+    (points / "seam.csv").write_text("name,x,y,z\n,mm,mm,mm\nleft,500,-100,600\nright,500,100,600\n", "utf-8")
+    keyboard = fresh.page.keyboard
+    try:
+        at_the_end(fresh)
+        keyboard.type("lin al", delay=60)
+        listed(fresh, "along")
+        fresh.page.wait_for_timeout(200)
+        keyboard.press("Tab")
+        keyboard.type(" s", delay=60)
+        listed(fresh, "seam")
+        fresh.page.wait_for_timeout(200)
+        keyboard.press("Tab")
+        keyboard.press("Enter")
+        keyboard.type('lin seam["', delay=60)
+        listed(fresh, "left", "right")
+        fresh.page.wait_for_timeout(200)
+        keyboard.press("Tab")
+        keyboard.press("End")
+        keyboard.press("Enter")
+        assert last_lines(fresh, 3)[0] == "lin along seam"
+        assert last_lines(fresh, 3)[1].startswith('lin seam["')
+        assert last_lines(fresh, 3)[1].endswith('t"]')
+    finally:
+        shutil.rmtree(points)
