@@ -12,7 +12,7 @@ from ropsim.planning.achieved.helpful_limits import AchievedMotion
 from ropsim.planning.achieved.lines_as_curves import lines_as_curves
 from ropsim.planning.achieved.reached_speeds import reached_speeds, singularity_at
 from ropsim.planning.achieved.zones import achieved_zones, clipped, stopped
-from ropsim.planning.blends.blend import Blend, Passage, Stop
+from ropsim.planning.blends.blend import Blend, PassedPoint, Stop
 from ropsim.planning.blends.curve_blends import blend_at
 from ropsim.planning.blends.move_curves import may_be_slower, with_curves
 from ropsim.planning.control_ticks import in_ticks, standing
@@ -269,7 +269,7 @@ def _blends(chain: MotionChain, moves: list[PlannedMove], findings: list[Diagnos
             blends.append(None)
         else:
             stands = False
-            if not isinstance(found, Passage):
+            if not isinstance(found, PassedPoint):
                 findings += clipped(before.move, found)
             blends.append(found)
     return blends

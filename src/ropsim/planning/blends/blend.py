@@ -89,7 +89,7 @@ _overlap = maker(JointSpaceBlend)
 
 
 @record
-class Passage:
+class PassedPoint:
     """A point that a curve of moves passes, or a place at which it goes over into a line.
 
     Attributes:
@@ -103,7 +103,7 @@ class Passage:
     enter: float
 
 
-Blend = CartesianBlend | JointSpaceBlend | Passage
+Blend = CartesianBlend | JointSpaceBlend | PassedPoint
 
 
 def blend_between(chain: MotionChain, before: PlannedMove, behind: PlannedMove) -> Blend | Stop:

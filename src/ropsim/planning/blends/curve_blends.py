@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from ropsim.motion import JointSection, ToolSection
-from ropsim.planning.blends.blend import HALF, Blend, Passage, Stop, blend_between, commanded_zone
+from ropsim.planning.blends.blend import HALF, Blend, PassedPoint, Stop, blend_between, commanded_zone
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.motion_chain import MotionChain
 
@@ -24,11 +24,11 @@ def blend_at(chain: MotionChain, before: PlannedMove, behind: PlannedMove) -> Bl
         length = before.joints.length
         zone = min(commanded_zone(chain, before.move), HALF * length)
         if one and other and one.curve is other.curve:
-            return Passage(zone, one.end, other.begin)
+            return PassedPoint(zone, one.end, other.begin)
         if one and one.curve.behind:
-            return Passage(zone, one.curve.length, one.curve.behind)
+            return PassedPoint(zone, one.curve.length, one.curve.behind)
         if other and other.curve.before:
-            return Passage(zone, length - other.curve.before, 0.0)
+            return PassedPoint(zone, length - other.curve.before, 0.0)
     found = blend_between(chain, _alone(before), _alone(behind))
     return found if one is None or isinstance(found, Stop) else replace(found, leave=found.leave + one.begin)
 

@@ -9,7 +9,7 @@ import numpy as np
 from ropsim.model import ShortLines
 from ropsim.motion import CurvePart, JointPath, JointPoints, StraightPart, compressed, end_of
 from ropsim.planning.blends.joined_ends import SAME_JOINTS, joined_to
-from ropsim.planning.blends.short_line_chains import Span, chains_of, longest_on_curve, points_of
+from ropsim.planning.blends.short_line_chains import MoveRange, chains_of, longest_on_curve, points_of
 from ropsim.planning.moves.move_curve import MoveCurve, OnCurve
 from ropsim.planning.moves.path_following import follow_path
 from ropsim.planning.moves.planned_move import PlannedMove
@@ -73,7 +73,7 @@ def may_be_slower(moves: Sequence[PlannedMove]) -> bool:
 
 
 def _followed(
-    chain: MotionChain, moves: Sequence[PlannedMove], span: Span, part: CurvePart, ends: _Ends
+    chain: MotionChain, moves: Sequence[PlannedMove], span: MoveRange, part: CurvePart, ends: _Ends
 ) -> MoveCurve | None:
     """Return a curve of moves with its path in joint space; None if the joints cannot follow it.
 

@@ -13,11 +13,11 @@ from ropsim.spatial import Array
 FEWEST = 3
 """Moves of a chain: two lines have one zone between them, which is no run."""
 
-Span = tuple[int, int]
+MoveRange = tuple[int, int]
 """Number of the first move, and that behind the last one."""
 
 
-def chains_of(chain: MotionChain, moves: Sequence[PlannedMove]) -> list[Span]:
+def chains_of(chain: MotionChain, moves: Sequence[PlannedMove]) -> list[MoveRange]:
     """Return which moves one after the other may be flown as curves.
 
     They are lines of one tool with the same limits, on which neither external axes move nor a sensor acts,
@@ -28,7 +28,7 @@ def chains_of(chain: MotionChain, moves: Sequence[PlannedMove]) -> list[Span]:
         chain: the entities.
         moves: the moves.
     """
-    found, first = list[Span](), 0
+    found, first = list[MoveRange](), 0
     for number in range(1, len(moves) + 1):
         if number == len(moves) or not _go_on(chain, moves[number - 1], moves[number]):
             if number - first >= FEWEST and _has_short_moves(moves[first:number]):

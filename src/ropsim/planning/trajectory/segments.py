@@ -11,7 +11,7 @@ from ropsim.motion import (
     ToolSection,
     own_law_of,
 )
-from ropsim.planning.blends.blend import Blend, CartesianBlend, JointSpaceBlend, Passage
+from ropsim.planning.blends.blend import Blend, CartesianBlend, JointSpaceBlend, PassedPoint
 from ropsim.planning.moves.move_curve import MoveCurve
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.path_limits.path_limits import (
@@ -102,7 +102,7 @@ def segments_of(moves: Sequence[PlannedMove], blends: Sequence[Blend | None]) ->
         enters = 0.0 if blend is None or isinstance(blend, JointSpaceBlend) else blend.enter
         if isinstance(blend, CartesianBlend):
             path_segments.append(_round(number, move, moves[number + 1], blend))
-        elif not isinstance(blend, Passage):
+        elif not isinstance(blend, PassedPoint):
             sections.append((path_segments, blend))
             path_segments = []
     return sections
