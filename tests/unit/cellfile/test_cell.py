@@ -199,6 +199,8 @@ def test_the_controller_can_be_changed_value_by_value() -> None:
     ("line", "kind"),
     [
         ("", ControllerKind.COMPUTED_TORQUE),
+        ('law = "fixed gains"', ControllerKind.CASCADED_P_PI),
+        ('law = "computed torque"\nkp = [9, 9, 9, 9, 9, 9]', ControllerKind.COMPUTED_TORQUE),
         ("kp = [9, 9, 9, 9, 9, 9]", ControllerKind.CASCADED_P_PI),
         ("ki = [9, 9, 9, 9, 9, 9]", ControllerKind.CASCADED_P_PI),
         ("kp = [9, 9, 9, 9, 9, 9]\nkd = [9, 9, 9, 9, 9, 9]", ControllerKind.COMPUTED_TORQUE),

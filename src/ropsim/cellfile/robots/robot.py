@@ -41,6 +41,7 @@ _PATH_KEYS = (
     "orientation_acceleration",
     "orientation_jerk",
 )
+_LAWS = {ControllerKind.COMPUTED_TORQUE: "computed torque", ControllerKind.CASCADED_P_PI: "fixed gains"}
 _GAIN = NUMBER.within(0.0, 1e6)
 _SHARES = {"kf": NUMBER.within(0.0, 2.0)}
 _SETTLE = TIME.within(0.0, 60.0)
@@ -237,13 +238,19 @@ def _controller(
 
 
 def _with_stated_law(table: TomlTable, controller: ControllerModel, model: RobotModel) -> ControllerModel:
-    """Return the standard controller under the law that the stated gains belong to.
+    """Return the standard controller under the stated law, else under that to which the stated gains belong.
 
     Gains of an arm with geared motors are those of loops joint by joint, unless `kd` is among them, which
     computed torque alone has.
     """
-    loops = controller.kind is ControllerKind.COMPUTED_TORQUE and not robots.acts_directly(model)
-    if not loops or "kd" in table or not any(name in table for name in GAIN_NAMES):
+    if controller.kind is ControllerKind.IDEAL:
+        return controller
+    fixed, possible = _LAWS[ControllerKind.CASCADED_P_PI], [_LAWS[controller.kind]]
+    if controller.kind is ControllerKind.COMPUTED_TORQUE and not robots.acts_directly(model):
+        possible.append(fixed)
+    belongs = "kd" not in table and any(name in table for name in GAIN_NAMES)
+    law = table.choice("law", possible, fixed if belongs and fixed in possible else possible[0])
+    if law == _LAWS[controller.kind]:
         return controller
     return robots.cascaded_controller(model, controller.rates)
 

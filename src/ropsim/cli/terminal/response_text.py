@@ -4,12 +4,13 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import fields
 
-from ropsim.model import ControllerModel, JointType, RobotModel
+from ropsim.model import ControllerKind, ControllerModel, JointType, RobotModel
 from ropsim.simulation import FrequencyResponse, Margins, TimeResponse, lag_of, step_figures
 from ropsim.spatial import Array, record
 from ropsim.views import Style, TableCell, Tone, columns_text
 
 _UNITS = {JointType.REVOLUTE: (math.degrees(1.0), "°"), JointType.PRISMATIC: (1e3, " mm")}
+_LAWS = {ControllerKind.COMPUTED_TORQUE: "computed torque", ControllerKind.CASCADED_P_PI: "fixed gains"}
 _SLOWEST = 3
 """Modes that are shown."""
 _LARGE = 1e3
@@ -66,7 +67,7 @@ def response_text(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> str
         tested: at least one axis.
         style: whether it has colours.
     """
-    law, hz = rest.controller.kind.value.replace("_", " "), rest.controller.rates.control_hz
+    law, hz = _LAWS[rest.controller.kind], rest.controller.rates.control_hz
     load = f"{rest.load:.3g} kg at the flange" if rest.load else "no load"
     lines = [f"{rest.robot.title or rest.robot.name}: {law} at {hz} Hz, {rest.place}, {load}", ""]
     if any(one.response for one in tested):
@@ -117,9 +118,11 @@ def _step_row(rest: Rest, axis: int, response: TimeResponse) -> Iterator[TableCe
 
 def _beside(rest: Rest, response: TimeResponse) -> Iterator[TableCell]:
     """Yield how far other axes go, and how long the amplifier is at its limit."""
-    others = {joint.measure for k, joint in enumerate(rest.robot.axis_joints) if k != response.axis}
-    scale, unit = _UNITS[others.pop()] if len(others) == 1 else (1.0, "")
-    yield TableCell(f"{response.others * scale:.2g}{unit}")
+    most = dict.fromkeys((joint.measure for joint in rest.robot.axis_joints), 0.0)
+    for joint, value in zip(rest.robot.axis_joints, response.others.tolist(), strict=True):
+        most[joint.measure] = max(most[joint.measure], value)
+    texts = (f"{value * _UNITS[kind][0]:.2g}{_UNITS[kind][1]}" for kind, value in most.items())
+    yield TableCell(", ".join(texts))
     full = 100.0 * response.at_limit
     yield TableCell(f"{full:.3g}", Tone.WARNING if full else None)
 
@@ -205,7 +208,7 @@ def _response_entry(rest: Rest, response: TimeResponse) -> dict[str, object]:
         figures = {field.name: _plain(getattr(found, field.name)) for field in fields(found)}
     return {
         **figures,
-        "others": response.others,
+        "others": response.others.tolist(),
         "at_limit": response.at_limit,
         "time": response.time.tolist(),
         "reference": response.reference.tolist(),

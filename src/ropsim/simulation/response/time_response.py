@@ -33,7 +33,7 @@ class TimeResponse:
         reference: of the axis, from where it was [rad | m], shape (k,).
         moved: coordinate of the axis, from where it was [rad | m], shape (k,).
         effort: torque or force of its drive at the joint [N·m | N], shape (k,).
-        others: largest deviation of another axis [rad | m].
+        others: largest deviations of the other axes [rad | m], 0 for this one, shape (n,).
         at_limit: share of the time at which the amplifier is at its limit.
     """
 
@@ -42,7 +42,7 @@ class TimeResponse:
     reference: Array
     moved: Array
     effort: Array
-    others: float
+    others: Array
     at_limit: float
 
 
@@ -185,7 +185,7 @@ def _made(
         frozen(reference),
         frozen(moved),
         frozen(log["tau"][1:, axis]),
-        float(np.abs(away).max()),
+        frozen(np.abs(away).max(axis=0)),
         _at_limit(robot, log, axis),
     )
 
