@@ -21,7 +21,7 @@ from ropsim.dynamics import (
     structure_of,
 )
 from ropsim.kinematics import configurations
-from ropsim.model import ControllerModel, Payload, RobotModel, cube_of_water, with_payload
+from ropsim.model import ControllerModel, Friction, Payload, RobotModel, cube_of_water, with_payload
 from ropsim.simulation.testing import StateLayout, plant_code
 from ropsim.spatial import Array
 
@@ -132,7 +132,7 @@ def postures(robot: RobotModel, mass: float) -> Array:
 
 def _without_dry_friction(robot: RobotModel) -> RobotModel:
     drives = (
-        replace(one, friction=replace(one.friction, coulomb_positive=0.0, coulomb_negative=0.0))
+        replace(one, friction=Friction(one.friction.viscous, smoothing_speed=one.friction.smoothing_speed))
         for one in robot.drives
     )
     return replace(robot, drives=tuple(drives))

@@ -81,7 +81,6 @@ from ropsim.model.drives.drive import DcMotor as DcMotor
 from ropsim.model.drives.drive import Drive as Drive
 from ropsim.model.drives.drive import EffortAmplifier as EffortAmplifier
 from ropsim.model.drives.drive import ElasticGear as ElasticGear
-from ropsim.model.drives.drive import Friction as Friction
 from ropsim.model.drives.drive import Gear as Gear
 from ropsim.model.drives.drive import IdealMotor as IdealMotor
 from ropsim.model.drives.drive import InputKind as InputKind
@@ -90,6 +89,11 @@ from ropsim.model.drives.drive import Transmission as Transmission
 from ropsim.model.drives.drive import ValveAmplifier as ValveAmplifier
 from ropsim.model.drives.drive import VoltageAmplifier as VoltageAmplifier
 from ropsim.model.drives.drive import ideal_drive as ideal_drive
+from ropsim.model.drives.friction import Friction as Friction
+from ropsim.model.drives.friction import FrictionLaw as FrictionLaw
+from ropsim.model.drives.friction import LoadFriction as LoadFriction
+from ropsim.model.drives.friction import LugreFriction as LugreFriction
+from ropsim.model.drives.friction import StribeckFriction as StribeckFriction
 from ropsim.model.drives.hydraulics import Hydraulic as Hydraulic
 from ropsim.model.drives.hydraulics import HydraulicCylinder as HydraulicCylinder
 from ropsim.model.drives.hydraulics import HydraulicMotor as HydraulicMotor

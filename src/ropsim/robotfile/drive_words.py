@@ -9,11 +9,15 @@ from ropsim.model import (
     EffortAmplifier,
     ElasticGear,
     Friction,
+    FrictionLaw,
     Hydraulic,
     HydraulicCylinder,
     HydraulicMotor,
     IdealMotor,
     Linkage,
+    LoadFriction,
+    LugreFriction,
+    StribeckFriction,
     ValveAmplifier,
     VoltageAmplifier,
     pin_at,
@@ -130,11 +134,29 @@ def _gear(drive: Drive) -> dict[str, str]:
     return keys
 
 
-def _friction(friction: Friction) -> dict[str, str]:
-    positive, negative = friction.coulomb_positive, -friction.coulomb_negative
+def _friction(law: FrictionLaw) -> dict[str, str]:
+    positive, negative = law.coulomb_positive, -law.coulomb_negative
     both = unless(positive, 0.0) if positive == negative else row(map(number, (positive, negative)))
     return {
-        "viscous": unless(friction.viscous, 0.0),
+        "viscous": unless(law.viscous, 0.0),
         "coulomb": both,
-        "smoothing_speed": unless(friction.smoothing_speed, Friction().smoothing_speed),
+        **_own(law),
+        "smoothing_speed": unless(law.smoothing_speed, Friction().smoothing_speed),
     }
+
+
+def _own(law: FrictionLaw) -> dict[str, str]:
+    """Return the keys that a law of friction has to itself."""
+    match law:
+        case StribeckFriction():
+            low = {"breakaway": number(law.breakaway), "stribeck_speed": number(law.stribeck_speed)}
+            return low | {"stribeck_exponent": unless(law.exponent, 2.0)}
+        case LoadFriction():
+            return {"load_share": number(law.load_share)}
+        case LugreFriction():
+            low = {"breakaway": number(law.breakaway), "stribeck_speed": number(law.stribeck_speed)}
+            return low | {
+                "bristle_stiffness": number(law.bristle_stiffness),
+                "bristle_damping": unless(law.bristle_damping, 0.0),
+            }
+    return {}

@@ -18,10 +18,13 @@ from ropsim.model import (
     Drive,
     ElasticGear,
     Friction,
+    FrictionLaw,
     Gear,
     HydraulicMotor,
     JointType,
+    LoadFriction,
     LoopCut,
+    LugreFriction,
     Material,
     Mesh,
     Polyline,
@@ -29,6 +32,7 @@ from ropsim.model import (
     RobotModel,
     Shape,
     Sphere,
+    StribeckFriction,
     ValveAmplifier,
     VoltageAmplifier,
     beside,
@@ -137,6 +141,20 @@ def test_drives_of_all_kinds_and_drawn_things_come_back() -> None:
     changed = replace(
         robot, drives=(limited, plain), links=links, joints=joints, gravity=np.array([1.0, 0.0, -9.0])
     )
+    assert again(changed) == changed
+
+
+@pytest.mark.parametrize(
+    "law",
+    [
+        StribeckFriction(1e-4, 0.02, 0.03, 5.0, 1.5, 2e-3),
+        LoadFriction(1e-4, 0.02, 0.11),
+        LugreFriction(1e-4, 0.02, 0.03, 5.0, 40.0, 0.01),
+    ],
+)
+def test_laws_of_friction_come_back(law: FrictionLaw) -> None:
+    robot = robots.load("two_link")
+    changed = replace(robot, drives=tuple(replace(one, friction=law) for one in robot.drives))
     assert again(changed) == changed
 
 

@@ -11,10 +11,15 @@ from ropsim.dynamics import gravity
 from ropsim.model import (
     DcMotor,
     ElasticGear,
+    Friction,
+    FrictionLaw,
     HydraulicMotor,
     JointType,
     Linkage,
+    LoadFriction,
+    LugreFriction,
     RobotModel,
+    StribeckFriction,
     ValveAmplifier,
     audit,
     capsule,
@@ -169,6 +174,32 @@ def test_drives_may_be_servos_with_elastic_gears() -> None:
     assert isinstance(transmission, ElasticGear)
     assert (transmission.ratio, transmission.stiffness) == (100.0, 2e4)
     assert robot.drives[0].friction.coulomb_negative == -0.1
+
+
+@pytest.mark.parametrize(
+    ("keys", "law"),
+    [
+        ("coulomb = [0.1, 0.2]", Friction(0.01, 0.1, -0.2)),
+        ("coulomb = 0.1, breakaway = 0.15, stribeck_speed = 4", StribeckFriction(0.01, 0.1, 0.15, 4.0)),
+        (
+            "breakaway = 0.15, stribeck_speed = 4, stribeck_exponent = 1, smoothing_speed = 1e-3",
+            StribeckFriction(0.01, 0.0, 0.15, 4.0, 1.0, 1e-3),
+        ),
+        ("coulomb = 0.1, load_share = 0.2", LoadFriction(0.01, 0.1, 0.2)),
+        (
+            "coulomb = 0.1, breakaway = 0.2, stribeck_speed = 4, bristle_stiffness = 80, bristle_damping = 2",
+            LugreFriction(0.01, 0.1, 0.2, 4.0, 80.0, 2.0),
+        ),
+    ],
+)
+def test_the_keys_of_friction_say_its_law(keys: str, law: FrictionLaw) -> None:
+    servo = f'{{ kind = "servo", ratio = 100, max_torque = 2, viscous = 0.01, {keys} }}'
+    robot = arm(f"mass = 12\ndrives = [{servo}, {servo}]\n" + TWO_JOINTS)
+    assert robot.drives[0].friction == law
+    written = write_robot_file(robot)
+    copy = read_robot_file(SourceText("arm.toml", written.text)).robot
+    assert copy is not None
+    assert copy.drives == robot.drives
 
 
 def test_drives_may_be_hydraulic() -> None:

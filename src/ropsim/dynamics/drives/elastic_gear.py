@@ -11,15 +11,16 @@ from ropsim.model import ElasticGear
 def _trace(p: Numbers, states: Numbers, shaft: Shaft) -> Carried:
     """Return the torque of the spring; the states are θ/G and ω/G, motor angle and speed seen at the joint.
 
-    J·G²·d(ω/G)/dt = G·τ - friction(ω/G) - spring.
+    J·G²·d(ω/G)/dt = G·τ - friction(ω/G) - spring. The load of friction is what goes through the spring.
     """
     ratio, stiffness, damping = p
     theta, omega = states
     spring = stiffness * (theta - shaft.q) + damping * (omega - shaft.qd)
     given, motor = shaft.motor(Movement(ratio * theta, ratio * omega))
     inverse = 1.0 / (shaft.inertia * (ratio * ratio))
-    rate = (ratio * motor.torque - shaft.friction(ratio, omega) - spring) * inverse
-    return Carried(spring, None, None, (*motor.rates, omega, rate), given)
+    rubbing = shaft.friction(ratio, omega)
+    rate = (ratio * motor.torque - rubbing.under(spring) - spring) * inverse
+    return Carried(spring, None, None, (*motor.rates, omega, rate, *rubbing.rates), given)
 
 
 def _rest(gear: ElasticGear, q: float, effort: float) -> Steady:

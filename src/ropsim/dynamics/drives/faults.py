@@ -11,6 +11,8 @@ from ropsim.model import (
     Joint,
     JointType,
     Linkage,
+    LugreFriction,
+    StribeckFriction,
 )
 
 Fault = tuple[str, str]
@@ -52,9 +54,22 @@ def drive_fault(drive: Drive) -> Fault | None:
         found := _hydraulic_fault(drive.motor)
     ):
         return found
+    if isinstance(drive.friction, StribeckFriction | LugreFriction) and (
+        found := _breakaway_fault(drive.friction)
+    ):
+        return found
     if chain.transmission.states and not drive.motor.rotor_inertia > 0.0:
         found_inertia = f"is `{drive.motor.rotor_inertia}`; behind an elastic gear it must be positive"
         return "`rotor_inertia`", found_inertia
+    return None
+
+
+def _breakaway_fault(friction: StribeckFriction | LugreFriction) -> Fault | None:
+    if friction.breakaway < friction.coulomb:
+        why = f"is `{friction.breakaway}`; it is at least `coulomb`, {friction.coulomb}"
+        return "`breakaway`", why
+    if isinstance(friction, LugreFriction) and not friction.coulomb > 0.0:
+        return "`coulomb`", f"is `{friction.coulomb}`; of bristles it must be positive"
     return None
 
 

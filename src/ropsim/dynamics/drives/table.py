@@ -1,24 +1,37 @@
 """The blocks of all records that a drive can be made of: a new one is a file and an entry here."""
 
 from ropsim.dynamics.drives.amplifiers import CURRENT_LIMITED, EFFORT, VALVE, VOLTAGE
-from ropsim.dynamics.drives.block import AmplifierBlock, MotorBlock, TransmissionBlock
+from ropsim.dynamics.drives.block import (
+    AmplifierBlock,
+    FrictionBlock,
+    MotorBlock,
+    TransmissionBlock,
+)
 from ropsim.dynamics.drives.dc_motor import DC_MOTOR
 from ropsim.dynamics.drives.elastic_gear import ELASTIC_GEAR
+from ropsim.dynamics.drives.friction import FRICTION
 from ropsim.dynamics.drives.gear import GEAR
 from ropsim.dynamics.drives.hydraulic_cylinder import HYDRAULIC_CYLINDER
 from ropsim.dynamics.drives.hydraulic_motor import HYDRAULIC_MOTOR
 from ropsim.dynamics.drives.ideal_motor import IDEAL_MOTOR
 from ropsim.dynamics.drives.linkage import LINKAGE
+from ropsim.dynamics.drives.load_friction import LOAD_FRICTION
+from ropsim.dynamics.drives.lugre_friction import LUGRE_FRICTION
+from ropsim.dynamics.drives.stribeck_friction import STRIBECK_FRICTION
 from ropsim.model import (
     CurrentLimitedAmplifier,
     DcMotor,
     EffortAmplifier,
     ElasticGear,
+    Friction,
     Gear,
     HydraulicCylinder,
     HydraulicMotor,
     IdealMotor,
     Linkage,
+    LoadFriction,
+    LugreFriction,
+    StribeckFriction,
     ValveAmplifier,
     VoltageAmplifier,
 )
@@ -36,3 +49,9 @@ MOTORS: dict[type, MotorBlock] = {
     HydraulicCylinder: HYDRAULIC_CYLINDER,
 }
 TRANSMISSIONS: dict[type, TransmissionBlock] = {Gear: GEAR, ElasticGear: ELASTIC_GEAR, Linkage: LINKAGE}
+FRICTIONS: dict[type, FrictionBlock] = {
+    Friction: FRICTION,
+    StribeckFriction: STRIBECK_FRICTION,
+    LoadFriction: LOAD_FRICTION,
+    LugreFriction: LUGRE_FRICTION,
+}

@@ -44,6 +44,7 @@ _TESTS: tuple[tuple[str, Callable[[Drive], bool]], ...] = (
         "differences of dry friction between the two directions",
         lambda one: one.friction.coulomb_positive != -one.friction.coulomb_negative,
     ),
+    ("friction beyond its viscous and its Coulomb part", lambda one: not isinstance(one.friction, Friction)),
 )
 
 

@@ -4,6 +4,7 @@ from enum import StrEnum
 from math import copysign, inf
 
 from ropsim.core import frozen_dataclass
+from ropsim.model.drives.friction import Friction, FrictionLaw
 from ropsim.model.drives.hydraulics import HydraulicCylinder, HydraulicMotor
 from ropsim.model.drives.linkage import Linkage
 
@@ -120,26 +121,6 @@ class ElasticGear:
     damping: float = 0.0
 
 
-@frozen_dataclass
-class Friction:
-    """Viscous and Coulomb friction on the motor side of the gear.
-
-    The torque that the drive needs against friction, at the joint, is B·G²·q̇ + |G|·|Tc±|·tanh(q̇/v_s), with
-    Tc+ for positive and Tc- for negative joint speed (both in Corke & Armstrong-Hélouvry 1994).
-
-    Attributes:
-        viscous: B [N·m·s/rad] at the motor.
-        coulomb_positive: Tc+ >= 0 [N·m] at the motor, for positive joint speed.
-        coulomb_negative: Tc- <= 0 [N·m] at the motor, for negative joint speed.
-        smoothing_speed: v_s [rad/s] at the joint.
-    """
-
-    viscous: float = 0.0
-    coulomb_positive: float = 0.0
-    coulomb_negative: float = 0.0
-    smoothing_speed: float = 5e-3
-
-
 Amplifier = VoltageAmplifier | CurrentLimitedAmplifier | EffortAmplifier | ValveAmplifier
 Motor = DcMotor | IdealMotor | HydraulicMotor | HydraulicCylinder
 Transmission = Gear | ElasticGear | Linkage
@@ -159,7 +140,7 @@ class Drive:
     amplifier: Amplifier
     motor: Motor
     transmission: Transmission
-    friction: Friction = Friction()
+    friction: FrictionLaw = Friction()
 
     def ratio_at(self, q: float) -> float:
         """Return G = speed of the motor over that of the joint, signed, where the joint is at q [rad | m]."""

@@ -10,7 +10,6 @@ from ropsim.model import (
     Drive,
     EffortAmplifier,
     ElasticGear,
-    Friction,
     Gear,
     IdealMotor,
     Joint,
@@ -21,11 +20,10 @@ from ropsim.model import (
 )
 from ropsim.nirox.diagnostics import LOST
 from ropsim.nirox.readers.attributes import LARGEST
+from ropsim.nirox.readers.frictions import read_friction
 from ropsim.nirox.readers.hydraulics import HYDRAULIC, Linkages, read_hydraulic
 from ropsim.nirox.readers.mechanism import Mechanism
 from ropsim.nirox.readers.seen import Seen
-
-_SIMPLE = "coulomb_viscous_friction"
 
 
 def read_drives(
@@ -98,7 +96,7 @@ def _drive(seen: Seen, linkages: Linkages, train: int, pair: int, number: int) -
     amplifier, motor = _motor(seen, train, at_input, number)
     if isinstance(transmission, Linkage) and seen.user(pair, "joint_elasticity", "pair") is not None:
         seen.note(LOST, through, "what the joint says of elasticity has no effect: oil is what gives way")
-    drive = Drive(amplifier, motor, transmission, _friction(seen, pair, ratio, number))
+    drive = Drive(amplifier, motor, transmission, read_friction(seen, pair, ratio, number))
     return drive if linkages.can_be(through, drive, number) else None
 
 
@@ -162,26 +160,3 @@ def _elastic(seen: Seen, pair: int, ratio: float, number: int) -> Gear | Elastic
         return Gear(ratio)
     seen.take(entry, "elasticity", number)
     return ElasticGear(ratio, seen.real(entry, "stiffness"), seen.real(entry, "damping"))
-
-
-def _friction(seen: Seen, pair: int, ratio: float, number: int) -> Friction:
-    """Return viscous and Coulomb friction at the motor; other models are taken without the rest of theirs."""
-    entry = seen.users(pair, "joint_friction", "pair")
-    if not entry:
-        return Friction()
-    one = entry[0]
-    seen.take(one, "friction", number)
-    for other in entry[1:]:
-        seen.note(LOST, other, "the joint has friction on both sides: this one has no effect")
-    if not seen.is_a(one, _SIMPLE):
-        seen.note(LOST, one, "only its viscous and its Coulomb part have an effect", f"use {_SIMPLE.upper()}")
-    viscous, positive = seen.real(one, "viscous"), seen.real(one, "coulomb")
-    negative = seen.real(one, "coulomb_negative", positive)
-    if seen.text(one, "side") == "joint_side":
-        viscous, positive, negative = viscous / ratio**2, positive / abs(ratio), negative / abs(ratio)
-    smoothing = Friction().smoothing_speed
-    companion = seen.user(one, "friction_smoothing", "friction")
-    if companion is not None:
-        seen.take(companion, "friction", number, "smoothing")
-        smoothing = seen.real(companion, "speed")
-    return Friction(viscous, positive, -negative, smoothing)

@@ -10,7 +10,6 @@ from ropsim.model import (
     Drive,
     EffortAmplifier,
     ElasticGear,
-    Friction,
     Gear,
     HydraulicCylinder,
     HydraulicMotor,
@@ -22,13 +21,13 @@ from ropsim.model import (
 )
 from ropsim.nirox.building import UNSET, Building, bounded
 from ropsim.nirox.diagnostics import LOST
+from ropsim.nirox.writers.frictions import write_friction
 from ropsim.nirox.writers.hydraulics import write_hydraulic, write_linkage
-from ropsim.part21 import TRUE, Enumeration, Reference, Value
+from ropsim.part21 import TRUE, Reference, Value
 
 _JOINED = (
     "take a DC motor at a voltage amplifier, or a hydraulic one whose valve gets its rated current at most"
 )
-MOTOR_SIDE = Enumeration("MOTOR_SIDE")
 
 
 def write_drives(building: Building, robot: RobotModel) -> None:
@@ -38,7 +37,7 @@ def write_drives(building: Building, robot: RobotModel) -> None:
         drive = drives.get(number)
         if drive is not None:
             _drive_train(building, robot, number, drive)
-            _friction(building, number, drive.friction)
+            write_friction(building, number, drive.friction)
         motion = (inf, inf, inf) if drive else (joint.max_speed, joint.max_acceleration, joint.max_jerk)
         limits = (*motion, joint.max_effort)
         if any(one != inf for one in limits):
@@ -112,16 +111,3 @@ def _motor(building: Building, number: int, name: str, drive: Drive) -> tuple[Re
         return made, building.add(("amplifier", number), "ELECTRIC_AMPLIFIER", label, TRUE)
     effort = amplifier.max_effort if isinstance(amplifier, EffortAmplifier) else inf
     return building.add(key, "IDEAL_EFFORT_SOURCE", f"motor {name}", bounded(effort), UNSET), UNSET
-
-
-def _friction(building: Building, number: int, friction: Friction) -> None:
-    if friction == Friction():
-        return
-    positive, negative = float(friction.coulomb_positive), -float(friction.coulomb_negative)
-    second: Value = UNSET if negative == positive else negative
-    pair, key = building.at(("pair", number)), ("friction", number)
-    values = (pair, MOTOR_SIDE, float(friction.viscous), positive, second)
-    made = building.add(key, "COULOMB_VISCOUS_FRICTION", *values)
-    if friction.smoothing_speed != Friction().smoothing_speed:
-        speed = float(friction.smoothing_speed)
-        building.add((*key, "smoothing"), "FRICTION_SMOOTHING", made, speed)
