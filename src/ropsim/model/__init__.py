@@ -76,10 +76,12 @@ from ropsim.model.controller import Rates as Rates
 from ropsim.model.controller import Synchronisation as Synchronisation
 from ropsim.model.controller import gain_names as gain_names
 from ropsim.model.drives.drive import Amplifier as Amplifier
+from ropsim.model.drives.drive import BacklashGear as BacklashGear
 from ropsim.model.drives.drive import CurrentLimitedAmplifier as CurrentLimitedAmplifier
 from ropsim.model.drives.drive import DcMotor as DcMotor
 from ropsim.model.drives.drive import Drive as Drive
 from ropsim.model.drives.drive import EffortAmplifier as EffortAmplifier
+from ropsim.model.drives.drive import Elastic as Elastic
 from ropsim.model.drives.drive import ElasticGear as ElasticGear
 from ropsim.model.drives.drive import Gear as Gear
 from ropsim.model.drives.drive import IdealMotor as IdealMotor

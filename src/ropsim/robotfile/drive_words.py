@@ -3,11 +3,12 @@
 from ropsim.core import frozen_dataclass
 from ropsim.model import (
     WRITTEN,
+    BacklashGear,
     CurrentLimitedAmplifier,
     DcMotor,
     Drive,
     EffortAmplifier,
-    ElasticGear,
+    Elastic,
     Friction,
     FrictionLaw,
     Hydraulic,
@@ -128,9 +129,11 @@ def _gear(drive: Drive) -> dict[str, str]:
     if isinstance(gear, Linkage):
         return {}
     keys = {"ratio": number(gear.ratio)}
-    if isinstance(gear, ElasticGear):
+    if isinstance(gear, Elastic):
         keys["stiffness"] = number(gear.stiffness)
         keys["damping"] = unless(gear.damping, 0.0)
+    if isinstance(gear, BacklashGear):
+        keys["backlash"] = number(gear.backlash)
     return keys
 
 

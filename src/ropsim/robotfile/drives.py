@@ -5,6 +5,7 @@ from math import inf
 from types import MappingProxyType
 
 from ropsim.model import (
+    BacklashGear,
     CurrentLimitedAmplifier,
     DcMotor,
     Drive,
@@ -30,6 +31,7 @@ from ropsim.tomltext import CONFLICTING_KEYS, NUMBER, VALUE_OUT_OF_RANGE, Quanti
 
 _POSITIVE = NUMBER.within(1e-9, 1e9)
 _FROM_ZERO = NUMBER.within(0.0, 1e9)
+_PLAY = NUMBER.within(0.0, 1.0)
 _RATIO = NUMBER.within(-1e6, 1e6)
 CYLINDER = "cylinder"
 _LOW_SPEED, _EXPONENT = ("breakaway", "stribeck_speed"), "stribeck_exponent"
@@ -114,11 +116,12 @@ def _transmission(table: TomlTable) -> Transmission:
         table.findings.add(kinds.WRONG_RATIO, table.value_span("ratio"), message, "1 is a direct drive")
         ratio = 1.0
     if "stiffness" not in table:
-        if "damping" in table:
+        if table.values.keys() & {"damping", "backlash"}:
             table.require("stiffness")
         return Gear(ratio)
-    stiffness = table.number("stiffness", _POSITIVE, 1.0)
-    return ElasticGear(ratio, stiffness, table.number("damping", _FROM_ZERO, 0.0))
+    spring = table.number("stiffness", _POSITIVE, 1.0), table.number("damping", _FROM_ZERO, 0.0)
+    backlash = table.number("backlash", _PLAY, 0.0)
+    return BacklashGear(ratio, *spring, backlash) if backlash else ElasticGear(ratio, *spring)
 
 
 def read_friction(table: TomlTable) -> FrictionLaw:

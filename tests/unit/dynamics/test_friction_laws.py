@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from ropsim.codegen import Engine, load
+from ropsim.codegen import Engine
 from ropsim.controller import CompiledLaw
 from ropsim.dynamics import (
-    arm_numbers,
     compiled,
     drive_fault,
     effort_rows,
@@ -20,7 +19,6 @@ from ropsim.dynamics import (
     inverse_dynamics,
     rigid_inverse_dynamics,
     steady_drive,
-    structure_of,
 )
 from ropsim.dynamics.drives.lugre_friction import FASTEST
 from ropsim.model import (
@@ -38,9 +36,9 @@ from ropsim.model import (
     StribeckFriction,
 )
 from ropsim.simulation import Servo
-from ropsim.simulation.testing import plant_code
 from ropsim.spatial import Array
 from support.arms import drive, random_arm, random_states
+from support.drives import slopes_of
 from support.servo_cases import controller, standing
 
 STRIBECK = StribeckFriction(0.02, 0.5, 0.9, 1.5, 2.0, 1e-3)
@@ -126,20 +124,6 @@ def test_behind_an_elastic_gear_the_load_of_friction_is_the_torque_of_the_spring
     assert rates(x, 3.0)[3] == pytest.approx(
         (RATIO * 3.0 - rubbing - stiffness * twist) / (2e-3 * RATIO**2), rel=1e-12
     )
-
-
-def slopes_of(robot: RobotModel) -> Callable[[Array, float], Array]:
-    """Return the rates of the integrated state of a one-axis arm over state and command."""
-    code = plant_code(structure_of(robot))
-    (source,) = (one for one in code.functions if one.name == "derivative")
-    function, constants = load("slopes", (source,), Engine.PYTHON), code.constants(arm_numbers(robot))
-
-    def rates(x: Array, command: float) -> Array:
-        dx = np.empty(len(x))
-        function(x, np.array([command]), constants, dx)
-        return dx
-
-    return rates
 
 
 def bristles(

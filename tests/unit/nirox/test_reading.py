@@ -10,12 +10,14 @@ from ropsim.kinematics import forward
 from ropsim.model import (
     Attribute,
     AuditPlace,
+    BacklashGear,
     ElasticGear,
     Gear,
     JointType,
     LoadFriction,
     LugreFriction,
     StribeckFriction,
+    Transmission,
 )
 from ropsim.nirox import ReadNirox, nirox_places, nirox_schema, read_nirox, write_nirox
 from ropsim.nirox.diagnostics import IMPOSSIBLE, LOST
@@ -141,6 +143,22 @@ def test_friction_at_the_joint_and_a_screw_go_to_the_motor() -> None:
     assert second.transmission == ElasticGear(1.0, 2e4, 3.0)
     assert [one.code for one in found.findings] == ["X953"]
     assert [one.span.line for one in found.findings if one.span] == [line_of(121, text)]
+
+
+def test_play_counts_where_the_gear_has_a_spring() -> None:
+    elastic = ("'g2',1.,1.,0.,$,$,0.", "'g2',1.,1.,0.001,2.E4,3.,0.")
+    assert second_gear(changed(elastic)) == (BacklashGear(1.0, 2e4, 3.0, 1e-3), [])
+    play = ("'g2',1.,1.,0.,$,$,0.", "'g2',1.,1.,0.001,$,$,0.")
+    spring = ("#130=IDEAL", "#124=JOINT_ELASTICITY(#61,2.E4,3.);\n#130=IDEAL")
+    assert second_gear(changed(play, spring)) == (BacklashGear(1.0, 2e4, 3.0, 1e-3), [])
+    assert second_gear(changed(play)) == (Gear(1.0), ["X953"])
+
+
+def second_gear(text: str) -> tuple[Transmission, list[str]]:
+    """Return the gear of the second drive, and the codes of the findings."""
+    found = read(text)
+    assert found.robot is not None
+    return found.robot.drives[1].transmission, [one.code for one in found.findings]
 
 
 def test_laws_of_friction_at_the_joint_go_to_the_motor() -> None:

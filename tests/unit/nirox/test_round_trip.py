@@ -13,6 +13,7 @@ from ropsim.kinematics import forward
 from ropsim.model import (
     ALL_DIRECTIONS,
     ArmClass,
+    BacklashGear,
     CurrentLimitedAmplifier,
     DcMotor,
     Drive,
@@ -141,6 +142,13 @@ def test_drives_of_all_kinds_and_drawn_things_come_back() -> None:
     changed = replace(
         robot, drives=(limited, plain), links=links, joints=joints, gravity=np.array([1.0, 0.0, -9.0])
     )
+    assert again(changed) == changed
+
+
+def test_gears_with_play_come_back() -> None:
+    robot = robots.load("two_link")
+    gear = BacklashGear(-80.0, 2e4, 3.0, 2e-4)
+    changed = replace(robot, drives=tuple(replace(one, transmission=gear) for one in robot.drives))
     assert again(changed) == changed
 
 

@@ -52,6 +52,7 @@ def found_in(text: str) -> tuple[Diagnostic, ...]:
             for keys, code, at, words in (
                 ("coulomb = 2, breakaway = 1, stribeck_speed = 3", "X806", "1", "at least `coulomb`, 2"),
                 ("breakaway = 1", "X803", "{ kind = 'servo', breakaway = 1 }", "`stribeck_speed`"),
+                ("backlash = 1e-3", "X803", "{ kind = 'servo', backlash = 1e-3 }", "`stiffness`"),
                 ("load_share = 1", "X806", "1", "0.99"),
                 ("load_share = 0.1, breakaway = 1, stribeck_speed = 3", "X812", "load_share", "two laws"),
             )

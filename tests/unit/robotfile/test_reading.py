@@ -9,6 +9,7 @@ from ropsim import kinematics, robots
 from ropsim.core import SourceText
 from ropsim.dynamics import gravity
 from ropsim.model import (
+    BacklashGear,
     DcMotor,
     ElasticGear,
     Friction,
@@ -174,6 +175,15 @@ def test_drives_may_be_servos_with_elastic_gears() -> None:
     assert isinstance(transmission, ElasticGear)
     assert (transmission.ratio, transmission.stiffness) == (100.0, 2e4)
     assert robot.drives[0].friction.coulomb_negative == -0.1
+
+
+def test_an_elastic_gear_may_have_play() -> None:
+    servo = '{ kind = "servo", ratio = 100, max_torque = 2, stiffness = 2e4, damping = 3, backlash = 2e-4 }'
+    robot = arm(f"mass = 12\ndrives = [{servo}, {servo}]\n" + TWO_JOINTS)
+    assert robot.drives[0].transmission == BacklashGear(100.0, 2e4, 3.0, 2e-4)
+    copy = read_robot_file(SourceText("arm.toml", write_robot_file(robot).text)).robot
+    assert copy is not None
+    assert copy.drives == robot.drives
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """The blocks of all records that a drive can be made of: a new one is a file and an entry here."""
 
 from ropsim.dynamics.drives.amplifiers import CURRENT_LIMITED, EFFORT, VALVE, VOLTAGE
+from ropsim.dynamics.drives.backlash_gear import BACKLASH_GEAR
 from ropsim.dynamics.drives.block import (
     AmplifierBlock,
     FrictionBlock,
@@ -19,6 +20,7 @@ from ropsim.dynamics.drives.load_friction import LOAD_FRICTION
 from ropsim.dynamics.drives.lugre_friction import LUGRE_FRICTION
 from ropsim.dynamics.drives.stribeck_friction import STRIBECK_FRICTION
 from ropsim.model import (
+    BacklashGear,
     CurrentLimitedAmplifier,
     DcMotor,
     EffortAmplifier,
@@ -48,7 +50,12 @@ MOTORS: dict[type, MotorBlock] = {
     HydraulicMotor: HYDRAULIC_MOTOR,
     HydraulicCylinder: HYDRAULIC_CYLINDER,
 }
-TRANSMISSIONS: dict[type, TransmissionBlock] = {Gear: GEAR, ElasticGear: ELASTIC_GEAR, Linkage: LINKAGE}
+TRANSMISSIONS: dict[type, TransmissionBlock] = {
+    Gear: GEAR,
+    ElasticGear: ELASTIC_GEAR,
+    BacklashGear: BACKLASH_GEAR,
+    Linkage: LINKAGE,
+}
 FRICTIONS: dict[type, FrictionBlock] = {
     Friction: FRICTION,
     StribeckFriction: STRIBECK_FRICTION,

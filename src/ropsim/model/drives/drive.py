@@ -121,9 +121,32 @@ class ElasticGear:
     damping: float = 0.0
 
 
+@frozen_dataclass
+class BacklashGear:
+    """A gear that twists under load and has play between its flanks.
+
+    Where θ/G - q is within ±b/2, motor and joint do not feel each other. Beyond, by p, the effort at the
+    joint is k·p + d·(ω/G - q̇), θ the motor angle; the damping is bounded by ±k·p, so that flanks do not pull
+    (M. Nordin, P.-O. Gutman: Controlling mechanical systems with backlash - a survey, Automatica 38 (2002),
+    1633-1649).
+
+    Attributes:
+        ratio: G = motor angle / joint coordinate, signed.
+        stiffness: k at the joint [N·m/rad | N/m].
+        damping: d at the joint [N·m·s/rad | N·s/m].
+        backlash: b, the whole play at the joint while the motor is held [rad | m].
+    """
+
+    ratio: float
+    stiffness: float
+    damping: float
+    backlash: float
+
+
+Elastic = ElasticGear | BacklashGear
 Amplifier = VoltageAmplifier | CurrentLimitedAmplifier | EffortAmplifier | ValveAmplifier
 Motor = DcMotor | IdealMotor | HydraulicMotor | HydraulicCylinder
-Transmission = Gear | ElasticGear | Linkage
+Transmission = Gear | Elastic | Linkage
 
 
 @frozen_dataclass

@@ -38,6 +38,7 @@ _RANGES_OF_DRIVES = MappingProxyType(
         "max_effort": POSITIVE_OR_INFINITE,
         "rotor_inertia": FROM_ZERO,
         "moving_mass": FROM_ZERO,
+        "backlash": POSITIVE,
     }
 )
 _RANGES_OF_JOINTS = MappingProxyType(

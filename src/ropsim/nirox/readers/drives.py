@@ -5,10 +5,12 @@ from math import inf
 
 from ropsim.model import (
     Amplifier,
+    BacklashGear,
     CurrentLimitedAmplifier,
     DcMotor,
     Drive,
     EffortAmplifier,
+    Elastic,
     ElasticGear,
     Gear,
     IdealMotor,
@@ -130,19 +132,26 @@ def _motor(seen: Seen, train: int, at_input: float, number: int) -> tuple[Amplif
     return (CurrentLimitedAmplifier(*most) if limits else VoltageAmplifier(*most)), made
 
 
-def _transmission(seen: Seen, through: int, pair: int, number: int) -> tuple[Gear | ElasticGear, float]:
+def _transmission(seen: Seen, through: int, pair: int, number: int) -> tuple[Gear | Elastic, float]:
     """Return the gear of a drive and the inertia at its input [kg·m² | kg]."""
     seen.take(through, "gear", number)
-    if seen.real(through, "efficiency") < 1.0 or seen.real(through, "backlash", 0.0):
-        seen.note(LOST, through, "efficiency and backlash have no effect")
+    if seen.real(through, "efficiency") < 1.0:
+        seen.note(LOST, through, "efficiency has no effect", "load_dependent_friction has")
     if seen.is_a(through, "screw_transmission"):
         return _elastic(seen, pair, 1.0 / _usable(seen, through, "lead"), number), 0.0
     ratio, at_input = _usable(seen, through, "ratio"), seen.real(through, "input_inertia")
+    gear: Gear | Elastic
     if seen.has(through, "stiffness"):
-        return ElasticGear(
-            ratio, seen.real(through, "stiffness"), seen.real(through, "damping", 0.0)
-        ), at_input
-    return _elastic(seen, pair, ratio, number), at_input
+        gear = ElasticGear(ratio, seen.real(through, "stiffness"), seen.real(through, "damping", 0.0))
+    else:
+        gear = _elastic(seen, pair, ratio, number)
+    backlash = seen.real(through, "backlash")
+    if not backlash:
+        return gear, at_input
+    if isinstance(gear, ElasticGear):
+        return BacklashGear(ratio, gear.stiffness, gear.damping, backlash), at_input
+    seen.note(LOST, through, "backlash of a rigid gear has no effect", "give its stiffness")
+    return gear, at_input
 
 
 def _usable(seen: Seen, number: int, name: str) -> float:

@@ -5,11 +5,12 @@ from math import inf
 
 from ropsim.core import Diagnostic
 from ropsim.model import (
+    BacklashGear,
     CurrentLimitedAmplifier,
     DcMotor,
     Drive,
     EffortAmplifier,
-    ElasticGear,
+    Elastic,
     Gear,
     HydraulicCylinder,
     HydraulicMotor,
@@ -86,12 +87,13 @@ def _drive_train(building: Building, robot: RobotModel, number: int, drive: Driv
     building.add(("drive", number), "DRIVE_TRAIN", f"drive {joint.name}", *ends, *limits, ())
 
 
-def _gear(building: Building, number: int, name: str, drive: Drive, gear: Gear | ElasticGear) -> Reference:
+def _gear(building: Building, number: int, name: str, drive: Drive, gear: Gear | Elastic) -> Reference:
     elastic: tuple[Value, Value] = (UNSET, UNSET)
-    if isinstance(gear, ElasticGear):
+    if isinstance(gear, Elastic):
         elastic = float(gear.stiffness), float(gear.damping)
     at_input = 0.0 if isinstance(drive.motor, DcMotor | HydraulicMotor) else float(drive.motor.rotor_inertia)
-    values = (f"gear {name}", float(gear.ratio), 1.0, 0.0, *elastic, at_input)
+    play = float(gear.backlash) if isinstance(gear, BacklashGear) else 0.0
+    values = (f"gear {name}", float(gear.ratio), 1.0, play, *elastic, at_input)
     return building.add(("gear", number), "GEAR_TRANSMISSION", *values)
 
 
