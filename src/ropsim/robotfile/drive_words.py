@@ -120,6 +120,8 @@ def _valve(most: float, motor: Hydraulic) -> dict[str, str]:
         "max_input": unless(most, motor.rated_input),
         "natural_frequency": number(motor.natural_frequency),
         "damping_ratio": unless(motor.damping_ratio, 0.7),
+        "null_flow": unless(motor.null_flow, 0.0),
+        "overlap": unless(motor.overlap, 0.0),
         "oil_density": unless(motor.oil_density, 870.0),
     }
 

@@ -224,11 +224,16 @@ def test_drives_may_be_hydraulic() -> None:
     )
     robot = arm(f"mass = 12\ndrives = [{one}, {other}]\n" + TWO_JOINTS)
     first, second = robot.drives
+    assert isinstance(first.motor, HydraulicMotor)
     assert first.motor == HydraulicMotor(
         2e-4, 3e-4, 1e-12, 0.0, 21e6, 0.0, 1.4e9, 6e-4, 7e6, 0.05, 630.0, 0.7
     )
     assert (first.amplifier, second.amplifier) == (ValveAmplifier(0.05), ValveAmplifier(0.04))
     assert arm(write_robot_file(robot).text).drives == robot.drives
+    edges = one.replace("leakage", "null_flow = 2e-5, overlap = 0.03, leakage")
+    leaking = arm(f"mass = 12\ndrives = [{edges}, {other}]\n" + TWO_JOINTS)
+    assert leaking.drives[0].motor == replace(first.motor, null_flow=2e-5, overlap=0.03)
+    assert arm(write_robot_file(leaking).text).drives == leaking.drives
 
 
 CYLINDER = (
@@ -255,6 +260,8 @@ mass = 200
         ("area_b = 5.4e-3", "area_b = 8e-3", "area_b"),
         ("supply_pressure = 16e6", "supply_pressure = 16e6, return_pressure = 16e6", "return_pressure"),
         ("carrier_pin = [0.26, -1.04, 0]", "carrier_pin = [0.26, -1.04]", "carrier_pin"),
+        ("leakage = 3e-12", "null_flow = 5e-4", "the rated flow is 0.0004"),
+        ("leakage = 3e-12", "overlap = 0.95", "0.9"),
     ],
 )
 def test_what_is_wrong_in_the_row_of_a_cylinder_is_told_alone(before: str, after: str, word: str) -> None:

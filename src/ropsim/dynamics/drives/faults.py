@@ -81,6 +81,10 @@ def _hydraulic_fault(motor: Hydraulic) -> Fault | None:
         return "`area_b`", f"is `{motor.area_b}`; the ring around the rod cannot be larger than the piston"
     if not motor.leakage >= 0.0:
         return "`leakage`", f"is `{motor.leakage}`; it must be 0 or more"
+    if not 0.0 <= motor.null_flow < motor.rated_flow:
+        return "`null_flow`", f"is `{motor.null_flow}`; it must be 0 or more, and less than the rated flow"
+    if not 0.0 <= motor.overlap < 1.0:
+        return "`overlap`", f"is `{motor.overlap}`; it must be 0 or more, and less than 1"
     if not motor.rotor_inertia >= 0.0:
         name = "moving_mass" if isinstance(motor, HydraulicCylinder) else "rotor_inertia"
         return f"`{name}`", f"is `{motor.rotor_inertia}`; it must be 0 or more"
