@@ -1,12 +1,13 @@
-"""The formulas of a hydraulic drive as a function of plain numbers."""
+"""The formulas of drives as functions of plain numbers."""
 
 from collections.abc import Callable
 
 import numpy as np
 
 from ropsim.codegen import Engine, Tracer, emit, load
-from ropsim.dynamics import chain_of
-from ropsim.model import Drive
+from ropsim.dynamics import arm_numbers, chain_of, structure_of
+from ropsim.model import Drive, RobotModel
+from ropsim.simulation.testing import plant_code
 from ropsim.spatial import Array
 
 
@@ -31,5 +32,19 @@ def rates_of(drive: Drive) -> Callable[[Array, float, float, float], Array]:
         out = [0.0] * 5
         code([*states.tolist(), q, speed, current], out)
         return np.array(out)
+
+    return rates
+
+
+def slopes_of(robot: RobotModel) -> Callable[[Array, float], Array]:
+    """Return the rates of the integrated state of a one-axis arm over state and command."""
+    code = plant_code(structure_of(robot))
+    (source,) = (one for one in code.functions if one.name == "derivative")
+    function, constants = load("slopes", (source,), Engine.PYTHON), code.constants(arm_numbers(robot))
+
+    def rates(x: Array, command: float) -> Array:
+        dx = np.empty(len(x))
+        function(x, np.array([command]), constants, dx)
+        return dx
 
     return rates

@@ -10,8 +10,10 @@ from ropsim.codegen.formulas.hoist import hoisted as hoisted
 from ropsim.codegen.formulas.tracer import Scalar as Scalar
 from ropsim.codegen.formulas.tracer import Tracer as Tracer
 from ropsim.codegen.formulas.tracer import cos as cos
+from ropsim.codegen.formulas.tracer import exp as exp
 from ropsim.codegen.formulas.tracer import maximum as maximum
 from ropsim.codegen.formulas.tracer import minimum as minimum
+from ropsim.codegen.formulas.tracer import power as power
 from ropsim.codegen.formulas.tracer import sin as sin
 from ropsim.codegen.formulas.tracer import sqrt as sqrt
 from ropsim.codegen.formulas.tracer import tanh as tanh

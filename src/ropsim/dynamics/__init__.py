@@ -29,6 +29,7 @@ from ropsim.dynamics.drives import chain_of as chain_of
 from ropsim.dynamics.drives import command_band as command_band
 from ropsim.dynamics.drives import command_limit as command_limit
 from ropsim.dynamics.drives import drive_fault as drive_fault
+from ropsim.dynamics.drives import friction_steepness as friction_steepness
 from ropsim.dynamics.drives import range_fault as range_fault
 from ropsim.dynamics.drives import reflected_inertia as reflected_inertia
 from ropsim.dynamics.drives import steady_drive as steady_drive
@@ -55,5 +56,6 @@ from ropsim.dynamics.structure import split_numbers as split_numbers
 from ropsim.dynamics.structure import structure_of as structure_of
 from ropsim.dynamics.structure import traced_numbers as traced_numbers
 from ropsim.dynamics.traced.traced_arm import trace_arm as trace_arm
+from ropsim.dynamics.traced.traced_drives import Side as Side
 from ropsim.dynamics.traced.traced_drives import sides_of as sides_of
 from ropsim.dynamics.traced.traced_drives import trace_drives as trace_drives

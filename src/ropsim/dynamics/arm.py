@@ -135,7 +135,8 @@ def mass_matrix(robot: Mechanism, q: npt.ArrayLike, payload: Payload | None = No
 def friction(robot: Mechanism, q: npt.ArrayLike, qd: npt.ArrayLike) -> Array:
     """Return the torques that friction exerts on the joints, shape (n,) [N·m | N]: against the motion.
 
-    They include the force on the rod of a cylinder due to its changing lever.
+    They include the force on the rod of a cylinder due to its changing lever, and not what friction takes of
+    the load. Laws with states count as in steady motion.
 
     Args:
         robot: the arm; without drives there is no friction, and behind an elastic gear it acts on the motor.
@@ -148,8 +149,9 @@ def friction(robot: Mechanism, q: npt.ArrayLike, qd: npt.ArrayLike) -> Array:
     """
     check_model(robot)
     places, speeds = _array("q", q, robot.n), _array("qd", qd, robot.n)
-    against, _ = drive_sides(structure_of(robot), arm_numbers(robot))(places, speeds)
-    return 0.0 - against
+    against, *_ = drive_sides(structure_of(robot), arm_numbers(robot))(places, speeds)
+    torques: Array = 0.0 - against
+    return torques
 
 
 def _motion(

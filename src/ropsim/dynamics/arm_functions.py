@@ -11,7 +11,7 @@ from ropsim.dynamics.traced.forward_dynamics import trace_solve
 from ropsim.dynamics.traced.mass_matrix import trace_mass_matrix
 from ropsim.dynamics.traced.newton_euler import Wrench, trace_inverse
 from ropsim.dynamics.traced.traced_arm import TracedArm, trace_arm
-from ropsim.dynamics.traced.traced_drives import joint_sides
+from ropsim.dynamics.traced.traced_drives import Side, joint_sides
 from ropsim.model import Mechanism, Payload
 
 
@@ -103,8 +103,8 @@ def inverse_code(structure: ArmStructure) -> GivenCode:
     """Return the code of `inverse`."""
     arm, (q, qd), qdd, tip, drives = _inverse_inputs(structure)
     tau = trace_inverse(arm, qd, qdd, tip)
-    for k, (friction, inertia) in enumerate(joint_sides(structure, drives, arm.tracer, (q, qd))):
-        tau[k] = tau[k] + qdd[k] * inertia + friction
+    for k, side in enumerate(joint_sides(structure, drives, arm.tracer, (q, qd))):
+        tau[k] = side.needed(tau[k] + qdd[k] * side.inertia)
     return _inverse_code("inverse", tau)
 
 
@@ -120,9 +120,7 @@ def forward_code(structure: ArmStructure) -> GivenCode:
     return GivenCode.of(Formula("forward", ("q", "qd", "tau", "qdd"), results))
 
 
-def trace_forward(
-    arm: TracedArm, qd: list[Scalar], tau: list[Scalar], sides: list[tuple[Scalar, Scalar]]
-) -> list[Scalar]:
+def trace_forward(arm: TracedArm, qd: list[Scalar], tau: list[Scalar], sides: list[Side]) -> list[Scalar]:
     """Return the joint accelerations.
 
     Args:
@@ -134,9 +132,9 @@ def trace_forward(
     bias = trace_inverse(arm, qd, [arm.tracer.constant(0.0)] * arm.n)
     right = [tau[k] - bias[k] for k in range(arm.n)]
     lower = trace_mass_matrix(arm)
-    for k, (friction, inertia) in enumerate(sides):
-        right[k] = right[k] - friction
-        lower[k][k] = lower[k][k] + inertia
+    for k, side in enumerate(sides):
+        right[k] = right[k] - side.friction.under(tau[k])
+        lower[k][k] = lower[k][k] + side.inertia
     return trace_solve(lower, right)
 
 
@@ -148,8 +146,8 @@ def mass_matrix_code(structure: ArmStructure) -> GivenCode:
     q = tracer.variables("q", n)
     lower = trace_mass_matrix(trace_arm(tracer, structure, numbers, q))
     rest = [tracer.constant(0.0)] * n
-    for k, (_, inertia) in enumerate(joint_sides(structure, numbers.drives, tracer, (q, rest))):
-        lower[k][k] = lower[k][k] + inertia
+    for k, side in enumerate(joint_sides(structure, numbers.drives, tracer, (q, rest))):
+        lower[k][k] = lower[k][k] + side.inertia
     entries = [(f"M[{n * i + j}]", lower[max(i, j)][min(i, j)]) for i in range(n) for j in range(n)]
     return GivenCode.of(Formula("mass_matrix", ("q", "M"), entries))
 

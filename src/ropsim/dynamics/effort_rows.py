@@ -34,12 +34,13 @@ _SIGNATURE = "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1])"
 _LONG_ROWS = """\
 def effort_rows(constants, q, qd, qdd, tau):
     n = q.shape[1]
-    side, wrench, chain = np.empty(2 * n), np.zeros(6), constants[{count}:]
+    side, wrench, chain = np.empty(3 * n), np.zeros(6), constants[{count}:]
     for k in range(q.shape[0]):
         chain_torques(q[k], qd[k], qdd[k], wrench, chain, tau[k])
         sides(q[k], qd[k], constants, side)
         for j in range(n):
             tau[k, j] += side[n + j] * qdd[k, j] + side[j]
+            tau[k, j] /= 1.0 - side[2 * n + j] if tau[k, j] > 0.0 else 1.0 + side[2 * n + j]
 """
 
 
@@ -60,9 +61,9 @@ class EffortRows:
 
         It is the torque that a drive must produce at its joint, before subtraction of friction, as in limits
         and recordings: for the rigid bodies with the payload, the inertia of the motor, and friction. Coulomb
-        friction is |G|·Tc·tanh(q̇/v_s): at standstill it is 0, as in the simulated arm, for both directions
-        of the next motion. All numbers are to be finite; a row with NaN yields NaN and leaves the others
-        alone.
+        friction is |G|·Tc·tanh(q̇/v_s): at standstill it is 0 for both directions of the next motion. A law
+        of friction with states counts as in steady motion. All numbers are to be finite; a row with NaN
+        yields NaN and leaves the others alone.
 
         Args:
             q: joint coordinates [rad | m], shape (k, n).
@@ -127,8 +128,8 @@ def _efforts_code(structure: ArmStructure) -> GivenCode:
     q, qd, qdd = (tracer.variables(name, structure.n) for name in ("q", "qd", "qdd"))
     numbers = traced_numbers(tracer, structure)
     tau = trace_inverse(trace_arm(tracer, structure, numbers, q), qd, qdd)
-    for k, (friction, inertia) in enumerate(joint_sides(structure, numbers.drives, tracer, (q, qd))):
-        tau[k] = tau[k] + qdd[k] * inertia + friction
+    for k, side in enumerate(joint_sides(structure, numbers.drives, tracer, (q, qd))):
+        tau[k] = side.needed(tau[k] + qdd[k] * side.inertia)
     results = [(f"tau[{k}]", value) for k, value in enumerate(tau)]
     return GivenCode.of(Formula("efforts", ("q", "qd", "qdd", "tau"), results))
 

@@ -10,7 +10,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from ropsim.model import Drive, ElasticGear, Gear, Mechanism
+from ropsim.model import Drive, Elastic, Gear, Mechanism
 from ropsim.spatial import Array
 
 Arm = TypeVar("Arm", bound=Mechanism)
@@ -24,7 +24,7 @@ def elastic_axes(robot: Mechanism) -> Array:
 def gear_stiffnesses(robot: Mechanism) -> Array:
     """Return the stiffness of the gear of each axis [N·m/rad | N/m], shape (n,); inf for rigid gears."""
     gears = [drive.transmission for drive in robot.drives]
-    return np.array([one.stiffness if isinstance(one, ElasticGear) else np.inf for one in gears])
+    return np.array([one.stiffness if isinstance(one, Elastic) else np.inf for one in gears])
 
 
 @lru_cache(maxsize=64)
@@ -34,11 +34,11 @@ def with_rigid_gears(robot: Arm) -> Arm:
     Its torques are those that the motors give, seen at the joints. While an arm swings, the torques in its
     elastic gears are others.
     """
-    if not any(isinstance(drive.transmission, ElasticGear) for drive in robot.drives):
+    if not any(isinstance(drive.transmission, Elastic) for drive in robot.drives):
         return robot
     return replace(robot, drives=tuple(map(_rigid, robot.drives)))
 
 
 def _rigid(drive: Drive) -> Drive:
     gear = drive.transmission
-    return replace(drive, transmission=Gear(gear.ratio)) if isinstance(gear, ElasticGear) else drive
+    return replace(drive, transmission=Gear(gear.ratio)) if isinstance(gear, Elastic) else drive

@@ -36,8 +36,8 @@ def trace_loaded_inverse(
     speeds, accelerations = motors
     arm = _loaded(trace_arm(tracer, structure, numbers, q), load)
     tau = trace_inverse(arm, list(qd), list(qdd))
-    for k, (friction, inertia) in enumerate(joint_sides(structure, numbers.drives, tracer, (q, speeds))):
-        tau[k] = tau[k] + accelerations[k] * inertia + friction
+    for k, side in enumerate(joint_sides(structure, numbers.drives, tracer, (q, speeds))):
+        tau[k] = side.needed(tau[k] + accelerations[k] * side.inertia)
     return tau
 
 

@@ -8,7 +8,7 @@ from ropsim.exchange.files.names import BASE, link_name
 from ropsim.exchange.losses.gathered import listed
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE, LOST_MASS, LOST_MOTION
 from ropsim.exchange.writing.write_losses import drive_losses, word_losses
-from ropsim.model import Friction, RobotModel, WrittenRobot
+from ropsim.model import FrictionLaw, RobotModel, WrittenRobot
 
 _GRAVITY = [0.0, 0.0, -9.81]
 
@@ -95,7 +95,7 @@ def _axis_losses(robot: RobotModel) -> Iterable[Diagnostic]:
     yield from _named(LOST_DRIVE, "inertias of the rotors of axes", turning)
 
 
-def _rubs(friction: Friction) -> bool:
+def _rubs(friction: FrictionLaw) -> bool:
     return any((friction.viscous, friction.coulomb_positive, friction.coulomb_negative))
 
 

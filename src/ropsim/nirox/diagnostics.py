@@ -45,10 +45,11 @@ LOST = define(
     Severity.WARNING,
     "something of a robot does not go over into a NIROX file, or from the file into the model",
     """
-A file can say more of a drive than the model computes with: efficiency, backlash, friction that depends on
-speed or load, a cylinder between two links. What is not held has no effect in a simulation. Where the robot
-is written into the file again it stays there, as long as what it belongs to is unchanged. A robot can have
-what the schema has no place for, such as two closed chains between the same two links.
+A file can say more of a drive than the model computes with: efficiency, play of rigid gears, friction on both
+sides of a gear, a cylinder that is not between the links of a revolute pair. What is not held has no effect
+in a simulation. Where the robot is written into the file again it stays there, as long as what it belongs to
+is unchanged. A robot can have what the schema has no place for, such as two closed chains between the same
+two links.
 """,
 )
 

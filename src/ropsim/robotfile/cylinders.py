@@ -5,7 +5,7 @@ from math import degrees, isfinite
 from ropsim.dynamics import range_fault
 from ropsim.model import (
     Drive,
-    Friction,
+    FrictionLaw,
     HydraulicCylinder,
     Joint,
     JointType,
@@ -27,7 +27,7 @@ _PLACE = NUMBER.within(-1e3, 1e3)
 _MASS = NUMBER.within(0.0, 1e6)
 
 
-def read_cylinder(table: TomlTable, dh: DhTable, number: int, friction: Friction) -> Drive | None:
+def read_cylinder(table: TomlTable, dh: DhTable, number: int, friction: FrictionLaw) -> Drive | None:
     """Return the drive of a row with a cylinder; None where it cannot move its joint.
 
     Args:

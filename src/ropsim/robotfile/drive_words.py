@@ -3,17 +3,23 @@
 from ropsim.core import frozen_dataclass
 from ropsim.model import (
     WRITTEN,
+    BacklashGear,
     CurrentLimitedAmplifier,
+    CurrentLoopMotor,
     DcMotor,
     Drive,
     EffortAmplifier,
-    ElasticGear,
+    Elastic,
     Friction,
+    FrictionLaw,
     Hydraulic,
     HydraulicCylinder,
     HydraulicMotor,
     IdealMotor,
     Linkage,
+    LoadFriction,
+    LugreFriction,
+    StribeckFriction,
     ValveAmplifier,
     VoltageAmplifier,
     pin_at,
@@ -39,7 +45,15 @@ def drive_keys(drive: Drive, frames: PinFrames) -> dict[str, str] | None:
     """Return the keys of a drive; None where it is made of other blocks than a robot file supports."""
     match drive.amplifier, drive.motor:
         case VoltageAmplifier() | CurrentLimitedAmplifier(), DcMotor():
-            keys = _dc(drive.amplifier, drive.motor)
+            most = drive.amplifier.max_voltage, drive.amplifier.max_current
+            limits = "true" if isinstance(drive.amplifier, CurrentLimitedAmplifier) else ""
+            keys = _dc(drive.motor, most) | {"limits_current": limits}
+        case EffortAmplifier(most_torque), CurrentLoopMotor(max_voltage=voltage, max_current=current):
+            own = {
+                "current_bandwidth": number(drive.motor.bandwidth),
+                "max_torque": unless(most_torque, drive.motor.torque_constant * current),
+            }
+            keys = _dc(drive.motor, (voltage, current)) | own
         case EffortAmplifier(most), IdealMotor(inertia):
             keys = {
                 "kind": text("servo"),
@@ -58,7 +72,7 @@ def drive_keys(drive: Drive, frames: PinFrames) -> dict[str, str] | None:
     return keys | _gear(drive) | _friction(drive.friction)
 
 
-def _dc(amplifier: VoltageAmplifier | CurrentLimitedAmplifier, motor: DcMotor) -> dict[str, str]:
+def _dc(motor: DcMotor | CurrentLoopMotor, most: tuple[float, float]) -> dict[str, str]:
     return {
         "kind": text("dc"),
         "torque_constant": number(motor.torque_constant),
@@ -66,9 +80,8 @@ def _dc(amplifier: VoltageAmplifier | CurrentLimitedAmplifier, motor: DcMotor) -
         "resistance": number(motor.resistance),
         "inductance": number(motor.inductance),
         "rotor_inertia": number(motor.rotor_inertia),
-        "max_voltage": number(amplifier.max_voltage),
-        "max_current": number(amplifier.max_current),
-        "limits_current": "true" if isinstance(amplifier, CurrentLimitedAmplifier) else "",
+        "max_voltage": number(most[0]),
+        "max_current": number(most[1]),
     }
 
 
@@ -115,6 +128,8 @@ def _valve(most: float, motor: Hydraulic) -> dict[str, str]:
         "max_input": unless(most, motor.rated_input),
         "natural_frequency": number(motor.natural_frequency),
         "damping_ratio": unless(motor.damping_ratio, 0.7),
+        "null_flow": unless(motor.null_flow, 0.0),
+        "overlap": unless(motor.overlap, 0.0),
         "oil_density": unless(motor.oil_density, 870.0),
     }
 
@@ -124,17 +139,37 @@ def _gear(drive: Drive) -> dict[str, str]:
     if isinstance(gear, Linkage):
         return {}
     keys = {"ratio": number(gear.ratio)}
-    if isinstance(gear, ElasticGear):
+    if isinstance(gear, Elastic):
         keys["stiffness"] = number(gear.stiffness)
         keys["damping"] = unless(gear.damping, 0.0)
+    if isinstance(gear, BacklashGear):
+        keys["backlash"] = number(gear.backlash)
     return keys
 
 
-def _friction(friction: Friction) -> dict[str, str]:
-    positive, negative = friction.coulomb_positive, -friction.coulomb_negative
+def _friction(law: FrictionLaw) -> dict[str, str]:
+    positive, negative = law.coulomb_positive, -law.coulomb_negative
     both = unless(positive, 0.0) if positive == negative else row(map(number, (positive, negative)))
     return {
-        "viscous": unless(friction.viscous, 0.0),
+        "viscous": unless(law.viscous, 0.0),
         "coulomb": both,
-        "smoothing_speed": unless(friction.smoothing_speed, Friction().smoothing_speed),
+        **_own(law),
+        "smoothing_speed": unless(law.smoothing_speed, Friction().smoothing_speed),
     }
+
+
+def _own(law: FrictionLaw) -> dict[str, str]:
+    """Return the keys that a law of friction has to itself."""
+    match law:
+        case StribeckFriction():
+            low = {"breakaway": number(law.breakaway), "stribeck_speed": number(law.stribeck_speed)}
+            return low | {"stribeck_exponent": unless(law.exponent, 2.0)}
+        case LoadFriction():
+            return {"load_share": number(law.load_share)}
+        case LugreFriction():
+            low = {"breakaway": number(law.breakaway), "stribeck_speed": number(law.stribeck_speed)}
+            return low | {
+                "bristle_stiffness": number(law.bristle_stiffness),
+                "bristle_damping": unless(law.bristle_damping, 0.0),
+            }
+    return {}

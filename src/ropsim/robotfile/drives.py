@@ -5,15 +5,21 @@ from math import inf
 from types import MappingProxyType
 
 from ropsim.model import (
+    BacklashGear,
     CurrentLimitedAmplifier,
+    CurrentLoopMotor,
     DcMotor,
     Drive,
     EffortAmplifier,
     ElasticGear,
     Friction,
+    FrictionLaw,
     Gear,
     HydraulicMotor,
     IdealMotor,
+    LoadFriction,
+    LugreFriction,
+    StribeckFriction,
     Transmission,
     ValveAmplifier,
     VoltageAmplifier,
@@ -22,12 +28,17 @@ from ropsim.robotfile import diagnostics as kinds
 from ropsim.robotfile.cylinders import read_cylinder
 from ropsim.robotfile.dh_table import DhTable
 from ropsim.robotfile.valves import HYDRAULIC, VALVE_NEEDED, read_valve
-from ropsim.tomltext import NUMBER, TomlTable, read_kind
+from ropsim.tomltext import CONFLICTING_KEYS, NUMBER, VALUE_OUT_OF_RANGE, Quantity, TomlTable, read_kind
 
 _POSITIVE = NUMBER.within(1e-9, 1e9)
 _FROM_ZERO = NUMBER.within(0.0, 1e9)
+_PLAY = NUMBER.within(0.0, 1.0)
 _RATIO = NUMBER.within(-1e6, 1e6)
 CYLINDER = "cylinder"
+_LOW_SPEED, _EXPONENT = ("breakaway", "stribeck_speed"), "stribeck_exponent"
+_BRISTLES = ("bristle_stiffness", "bristle_damping")
+_APART = (("load_share", (*_LOW_SPEED, _EXPONENT, *_BRISTLES)), (_EXPONENT, _BRISTLES))
+_MOST_LOAD_SHARE = 0.99
 _SMOOTHING = 5e-3  # [rad/s | m/s], far below any programmed speed
 
 
@@ -60,8 +71,8 @@ def _drive(table: TomlTable, dh: DhTable, number: int) -> Drive | None:
     return drive
 
 
-def _dc(table: TomlTable, transmission: Transmission, friction: Friction) -> Drive:
-    """Return a DC motor at a voltage amplifier."""
+def _dc(table: TomlTable, transmission: Transmission, friction: FrictionLaw) -> Drive:
+    """Return a DC motor at a voltage amplifier, or in a current loop where that has a bandwidth."""
     table.require(
         "torque_constant", "resistance", "inductance", "rotor_inertia", "max_voltage", "max_current"
     )
@@ -73,20 +84,37 @@ def _dc(table: TomlTable, transmission: Transmission, friction: Friction) -> Dri
         table.number("inductance", _POSITIVE, 1.0),
         table.number("rotor_inertia", _FROM_ZERO, 0.0),
     )
+    most = [table.number(key, _POSITIVE, 1.0) for key in ("max_voltage", "max_current")]
+    if "current_bandwidth" in table:
+        return Drive(*_in_loop(table, motor, most), transmission, friction)
     limited = table.flag("limits_current", default=False)
     make = CurrentLimitedAmplifier if limited else VoltageAmplifier
-    most = [table.number(key, _POSITIVE, 1.0) for key in ("max_voltage", "max_current")]
     return Drive(make(most[0], most[1]), motor, transmission, friction)
 
 
-def _servo(table: TomlTable, transmission: Transmission, friction: Friction) -> Drive:
+def _in_loop(table: TomlTable, motor: DcMotor, most: list[float]) -> tuple[EffortAmplifier, CurrentLoopMotor]:
+    """Return a motor in a current loop, and what tells it its torque.
+
+    Args:
+        table: the row.
+        motor: by itself.
+        most: largest voltage and current [V, A].
+    """
+    constants = (motor.torque_constant, motor.back_emf_constant, motor.resistance, motor.inductance)
+    bandwidth = table.number("current_bandwidth", _POSITIVE, 1.0)
+    made = CurrentLoopMotor(*constants, motor.rotor_inertia, most[0], most[1], bandwidth)
+    torque = table.number("max_torque", _POSITIVE, motor.torque_constant * most[1])
+    return EffortAmplifier(torque), made
+
+
+def _servo(table: TomlTable, transmission: Transmission, friction: FrictionLaw) -> Drive:
     """Return a servo motor whose current loop is faster than the control period: torque as commanded."""
     most = table.number("max_torque", _POSITIVE, inf)
     motor = IdealMotor(table.number("rotor_inertia", _FROM_ZERO, 0.0))
     return Drive(EffortAmplifier(most), motor, transmission, friction)
 
 
-def _hydraulic(table: TomlTable, transmission: Transmission, friction: Friction) -> Drive:
+def _hydraulic(table: TomlTable, transmission: Transmission, friction: FrictionLaw) -> Drive:
     """Return a hydraulic motor, or a cylinder with two equal areas, at a servo valve."""
     sizes = ("displacement", "chamber_volume")
     table.require(*sizes, *VALVE_NEEDED)
@@ -106,17 +134,40 @@ def _transmission(table: TomlTable) -> Transmission:
         table.findings.add(kinds.WRONG_RATIO, table.value_span("ratio"), message, "1 is a direct drive")
         ratio = 1.0
     if "stiffness" not in table:
-        if "damping" in table:
+        if table.values.keys() & {"damping", "backlash"}:
             table.require("stiffness")
         return Gear(ratio)
-    stiffness = table.number("stiffness", _POSITIVE, 1.0)
-    return ElasticGear(ratio, stiffness, table.number("damping", _FROM_ZERO, 0.0))
+    spring = table.number("stiffness", _POSITIVE, 1.0), table.number("damping", _FROM_ZERO, 0.0)
+    backlash = table.number("backlash", _PLAY, 0.0)
+    return BacklashGear(ratio, *spring, backlash) if backlash else ElasticGear(ratio, *spring)
 
 
-def read_friction(table: TomlTable) -> Friction:
-    """Return the friction at the motor; `coulomb` is one number, or one for each direction."""
+def read_friction(table: TomlTable) -> FrictionLaw:
+    """Return the friction at the motor, by the law whose keys there are.
+
+    `coulomb` is one number, of viscous and Coulomb friction also one for each direction.
+    """
     viscous = table.number("viscous", _FROM_ZERO, 0.0)
     smoothing = table.number("smoothing_speed", _POSITIVE, _SMOOTHING)
+    for one, others in _APART:
+        other = next((key for key in others if key in table), "")
+        if one in table and other:
+            message = f"`{table.name_of(one)}` and `{other}` belong to two laws of friction"
+            table.findings.add(CONFLICTING_KEYS, table.key_span(one), message, "keep one of them")
+    if table.values.keys() & set(_BRISTLES):
+        table.require("coulomb", *_LOW_SPEED, _BRISTLES[0])
+        low = _low_speed(table, _POSITIVE)
+        stiffness = table.number(_BRISTLES[0], _POSITIVE, 1.0)
+        damping = table.number(_BRISTLES[1], _FROM_ZERO, 0.0)
+        return LugreFriction(viscous, *low, stiffness, damping, smoothing)
+    if table.values.keys() & {*_LOW_SPEED, _EXPONENT}:
+        table.require(*_LOW_SPEED)
+        low = _low_speed(table, _FROM_ZERO)
+        exponent = table.number(_EXPONENT, NUMBER.within(0.1, 10.0), 2.0)
+        return StribeckFriction(viscous, *low, exponent, smoothing)
+    if "load_share" in table:
+        share = table.number("load_share", NUMBER.within(0.0, _MOST_LOAD_SHARE), 0.0)
+        return LoadFriction(viscous, table.number("coulomb", _FROM_ZERO, 0.0), share, smoothing)
     if not isinstance(table.values.get("coulomb"), list):
         dry = table.number("coulomb", _FROM_ZERO, 0.0)
         return Friction(viscous, dry, -dry, smoothing)
@@ -124,6 +175,19 @@ def read_friction(table: TomlTable) -> Friction:
     return Friction(viscous, positive, -negative, smoothing)
 
 
-_KINDS: Mapping[str, Callable[[TomlTable, Transmission, Friction], Drive]] = MappingProxyType(
+def _low_speed(table: TomlTable, allowed: Quantity) -> tuple[float, float, float]:
+    """Return Coulomb torque, breakaway torque and Stribeck speed."""
+    coulomb = table.number("coulomb", allowed, 1.0 if allowed is _POSITIVE else 0.0)
+    breakaway = table.number("breakaway", allowed, coulomb)
+    speed = table.number("stribeck_speed", _POSITIVE, 1.0)
+    if "breakaway" in table and breakaway < coulomb:
+        name = table.name_of("breakaway")
+        message = f"`{name}` is {breakaway:g}, allowed is at least `coulomb`, {coulomb:g}"
+        hint = "what sticks takes no less than what slides"
+        table.findings.add(VALUE_OUT_OF_RANGE, table.value_span("breakaway"), message, hint)
+    return coulomb, max(breakaway, coulomb), speed
+
+
+_KINDS: Mapping[str, Callable[[TomlTable, Transmission, FrictionLaw], Drive]] = MappingProxyType(
     {"dc": _dc, "servo": _servo, "hydraulic": _hydraulic}
 )

@@ -14,6 +14,7 @@ VALVE_NEEDED = (
 )
 _FROM_ZERO = NUMBER.within(0.0, 1e9)
 _POSITIVE = NUMBER.within(1e-9, 1e9)
+_MOST_OVERLAP = 0.9
 _MOST_RETURN = 0.99
 """Share of the supply pressure that the return may have at the most: at all of it nothing moves."""
 
@@ -26,8 +27,20 @@ def read_valve(table: TomlTable) -> dict[str, float]:
         "return_pressure": _return_pressure(table, valve["supply_pressure"]),
         "damping_ratio": table.number("damping_ratio", _POSITIVE, 0.7),
         "oil_density": table.number("oil_density", _POSITIVE, 870.0),
+        "null_flow": _null_flow(table, valve["rated_flow"]),
+        "overlap": table.number("overlap", NUMBER.within(0.0, _MOST_OVERLAP), 0.0),
         **valve,
     }
+
+
+def _null_flow(table: TomlTable, rated: float) -> float:
+    """Return the flow through a valve at its centre [m³/s], which is less than the rated one."""
+    found = table.number("null_flow", _FROM_ZERO, 0.0)
+    if "rated_flow" in table and found >= rated:
+        message = f"`{table.name_of('null_flow')}` is {found:g} m³/s, the rated flow is {rated:g} m³/s"
+        hint = "a valve at its centre lets some hundredths of its rated flow through"
+        table.findings.add(VALUE_OUT_OF_RANGE, table.value_span("null_flow"), message, hint)
+    return found
 
 
 def _return_pressure(table: TomlTable, supply: float) -> float:

@@ -122,5 +122,6 @@ def _origin(statement: str) -> ParameterOrigin:
 
 def _is_direct(drive: Drive) -> bool:
     chain = chain_of(drive)
-    takes_effort = chain.amplifier.kind is InputKind.EFFORT and not chain.states
+    states = (*chain.motor.states, *chain.transmission.states)
+    takes_effort = chain.amplifier.kind is InputKind.EFFORT and not states
     return takes_effort and drive.motor.rotor_inertia == 0.0

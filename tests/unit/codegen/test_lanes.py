@@ -13,9 +13,11 @@ from ropsim.codegen import (
     Tracer,
     cos,
     emit,
+    exp,
     load,
     maximum,
     minimum,
+    power,
     row_by_row,
     sin,
     sqrt,
@@ -59,6 +61,7 @@ def mixed() -> list[Scalar]:
         minimum(a, b) - maximum(b, c * 0.5),
         sqrt(abs(c)) * -a,
         sin(a + two) * cos(b) + tanh(c * three),
+        exp(-abs(a)) + power(abs(b), three),
     ]
 
 

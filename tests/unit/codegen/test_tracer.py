@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from ropsim.codegen import Tracer, cos, sin, tanh
+from ropsim.codegen import Tracer, cos, exp, sin, tanh
 
 
 def test_adding_zero_and_multiplying_by_one_give_the_same_node() -> None:
@@ -37,6 +37,7 @@ def test_functions_of_constants_fold() -> None:
     assert sin(angle).value == math.sin(0.7)
     assert cos(angle).value == math.cos(0.7)
     assert tanh(angle).value == math.tanh(0.7)
+    assert exp(angle).value == math.exp(0.7)
     assert abs(-angle).value == 0.7
 
 

@@ -18,8 +18,8 @@ from ropsim.dynamics import (
     mass_matrix,
     steady_drive,
 )
-from ropsim.dynamics.drives.block import AmplifierBlock, MotorBlock, TransmissionBlock
-from ropsim.dynamics.drives.table import AMPLIFIERS, MOTORS, TRANSMISSIONS
+from ropsim.dynamics.drives.block import AmplifierBlock, FrictionBlock, MotorBlock, TransmissionBlock
+from ropsim.dynamics.drives.table import AMPLIFIERS, FRICTIONS, MOTORS, TRANSMISSIONS
 from ropsim.model import (
     CurrentLimitedAmplifier,
     Drive,
@@ -68,19 +68,20 @@ def test_an_ideal_drive_gives_what_it_is_commanded() -> None:
     assert command_limit(ideal_drive(40.0)) == 40.0
 
 
+@pytest.mark.parametrize("law", FRICTIONS.values())
 @pytest.mark.parametrize("transmission", TRANSMISSIONS.values())
 @pytest.mark.parametrize("motor", MOTORS.values())
 @pytest.mark.parametrize("amplifier", AMPLIFIERS.values())
 def test_friction_and_inertia_at_the_joint_are_those_of_numbers_speed_and_lever_alone(
-    amplifier: AmplifierBlock, motor: MotorBlock, transmission: TransmissionBlock
+    amplifier: AmplifierBlock, motor: MotorBlock, transmission: TransmissionBlock, law: FrictionBlock
 ) -> None:
     """Planning knows no states of drives: what a block brings to the joint must not need them."""
-    chain, tracer = DriveChain(amplifier, motor, transmission), Tracer()
+    chain, tracer = DriveChain(amplifier, motor, transmission, law), Tracer()
     p = tracer.variables("numbers", chain.size)
-    states = tracer.variables("states", len(chain.states))
-    q, qd, u = (tracer.variable(name) for name in ("q", "qd", "u"))
-    carried = chain.trace(p, q, qd, states, u)
-    sides = [side for side in (carried.friction, carried.inertia) if side is not None]
+    q, qd = tracer.variable("q"), tracer.variable("qd")
+    carried = chain.side(p, q, qd)
+    rubbing = (carried.friction.torque, carried.friction.share) if carried.friction else ()
+    sides = [side for side in (*rubbing, carried.inertia) if side is not None]
     read = {node.text.partition("[")[0] for node in reachable(sides) if node.op == "var"}
     assert read <= {"numbers", "qd"} | ({"q"} if transmission is TRANSMISSIONS[Linkage] else set())
 

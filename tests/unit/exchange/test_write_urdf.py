@@ -11,7 +11,18 @@ from ropsim import robots
 from ropsim.core import SourceText
 from ropsim.exchange import read_urdf, write_urdf
 from ropsim.kinematics import solver_of
-from ropsim.model import Coupling, ElasticGear, LoopCut, Mesh, RobotModel, Shape, joint_tree
+from ropsim.model import (
+    Coupling,
+    ElasticGear,
+    FrictionLaw,
+    LoadFriction,
+    LoopCut,
+    Mesh,
+    RobotModel,
+    Shape,
+    StribeckFriction,
+    joint_tree,
+)
 from ropsim.spatial import Pose, frozen, quaternion, roll_pitch_yaw
 from support.built_in import WRITTEN
 from support.cylinders import lifted
@@ -65,6 +76,18 @@ def test_friction_comes_back_as_it_is_at_the_joints() -> None:
         assert theirs.friction.coulomb_positive == pytest.approx(
             ours.friction.coulomb_positive * ours.ratio_at(0.0)
         )
+
+
+@pytest.mark.parametrize("law", [StribeckFriction(0.01, 0.2, 0.3, 1.0), LoadFriction(0.01, 0.2, 0.1)])
+def test_of_other_laws_of_friction_the_viscous_and_the_coulomb_part_goes_over(law: FrictionLaw) -> None:
+    robot = robots.load("scara")
+    rubbing = replace(robot, drives=tuple(replace(one, friction=law) for one in robot.drives))
+    words = [one.message for one in write_urdf(rubbing).losses if one.code == "X994"]
+    assert any("friction beyond its viscous and its Coulomb part of axes `1`" in one for one in words)
+    for ours, theirs in zip(rubbing.drives, again(rubbing).drives, strict=True):
+        ratio = ours.ratio_at(0.0)
+        assert theirs.friction.viscous == pytest.approx(0.01 * ratio**2)
+        assert theirs.friction.coulomb_positive == pytest.approx(0.2 * abs(ratio))
 
 
 def test_a_coordinate_that_follows_two_axes_is_two_joints_about_one_line() -> None:

@@ -7,7 +7,18 @@ import pytest
 
 from ropsim.core import Severity, SourceText
 from ropsim.kinematics import forward
-from ropsim.model import Attribute, AuditPlace, ElasticGear, Friction, Gear, JointType
+from ropsim.model import (
+    Attribute,
+    AuditPlace,
+    BacklashGear,
+    ElasticGear,
+    Gear,
+    JointType,
+    LoadFriction,
+    LugreFriction,
+    StribeckFriction,
+    Transmission,
+)
 from ropsim.nirox import ReadNirox, nirox_places, nirox_schema, read_nirox, write_nirox
 from ropsim.nirox.diagnostics import IMPOSSIBLE, LOST
 from ropsim.nirox.readers.seen import MOST, Seen
@@ -127,11 +138,59 @@ def test_friction_at_the_joint_and_a_screw_go_to_the_motor() -> None:
     found = read(text)
     assert found.robot is not None
     first, second = found.robot.drives
-    assert first.friction == Friction(45.0 / 1e4, 0.6, -0.6)
+    assert first.friction == StribeckFriction(45.0 / 1e4, 0.6, 0.9, 5.0)
     assert first.transmission == Gear(-100.0)
     assert second.transmission == ElasticGear(1.0, 2e4, 3.0)
-    assert [one.code for one in found.findings] == ["X953", "X953"]
-    assert [one.span.line for one in found.findings if one.span] == [line_of(121, text), line_of(123, text)]
+    assert [one.code for one in found.findings] == ["X953"]
+    assert [one.span.line for one in found.findings if one.span] == [line_of(121, text)]
+
+
+def test_play_counts_where_the_gear_has_a_spring() -> None:
+    elastic = ("'g2',1.,1.,0.,$,$,0.", "'g2',1.,1.,0.001,2.E4,3.,0.")
+    assert second_gear(changed(elastic)) == (BacklashGear(1.0, 2e4, 3.0, 1e-3), [])
+    play = ("'g2',1.,1.,0.,$,$,0.", "'g2',1.,1.,0.001,$,$,0.")
+    spring = ("#130=IDEAL", "#124=JOINT_ELASTICITY(#61,2.E4,3.);\n#130=IDEAL")
+    assert second_gear(changed(play, spring)) == (BacklashGear(1.0, 2e4, 3.0, 1e-3), [])
+    assert second_gear(changed(play)) == (Gear(1.0), ["X953"])
+
+
+def second_gear(text: str) -> tuple[Transmission, list[str]]:
+    """Return the gear of the second drive, and the codes of the findings."""
+    found = read(text)
+    assert found.robot is not None
+    return found.robot.drives[1].transmission, [one.code for one in found.findings]
+
+
+def test_laws_of_friction_at_the_joint_go_to_the_motor() -> None:
+    """Speeds times G, torques over |G|, torques over speeds or angles over G²; a share is none of these."""
+    known = "COULOMB_VISCOUS_FRICTION(#60,.MOTOR_SIDE.,0.0001,0.02,$)"
+    for entity, law in (
+        ("LUGRE_FRICTION(#60,.JOINT_SIDE.,45.,60.,90.,0.05,3.E5,200.)",
+         LugreFriction(45.0 / 1e4, 0.6, 0.9, 5.0, 30.0, 0.02)),
+        ("LOAD_DEPENDENT_FRICTION(#60,.JOINT_SIDE.,45.,60.,0.2)", LoadFriction(45.0 / 1e4, 0.6, 0.2)),
+        ("LOAD_DEPENDENT_FRICTION(#60,.MOTOR_SIDE.,45.,60.,0.2)", LoadFriction(45.0, 60.0, 0.2)),
+    ):  # fmt: skip
+        found = read(changed((known, entity)))
+        assert found.robot is not None
+        assert found.robot.drives[0].friction == law
+        assert found.findings == ()
+
+
+@pytest.mark.parametrize(
+    ("entity", "words"),
+    [
+        ("LUGRE_FRICTION(#60,.JOINT_SIDE.,45.,60.,50.,0.05,3.E5,200.)", "more than `breakaway`"),
+        ("LUGRE_FRICTION(#60,.JOINT_SIDE.,45.,0.,50.,0.05,3.E5,200.)", "`coulomb` is 0"),
+        ("LOAD_DEPENDENT_FRICTION(#60,.JOINT_SIDE.,45.,60.,1.)", "less than 1"),
+    ],
+)
+def test_friction_that_cannot_be_is_an_error_at_its_entity(entity: str, words: str) -> None:
+    text = changed(("COULOMB_VISCOUS_FRICTION(#60,.MOTOR_SIDE.,0.0001,0.02,$)", entity))
+    found = read(text)
+    (error,) = [one for one in found.findings if one.is_error]
+    assert words in error.message
+    assert error.span
+    assert error.span.line == line_of(123, text)
 
 
 def test_a_screw_of_a_drive_turns_once_by_its_lead() -> None:

@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from math import inf
 
 import numpy as np
 import pytest
@@ -13,15 +14,21 @@ from ropsim.kinematics import forward
 from ropsim.model import (
     ALL_DIRECTIONS,
     ArmClass,
+    BacklashGear,
     CurrentLimitedAmplifier,
+    CurrentLoopMotor,
     DcMotor,
     Drive,
+    EffortAmplifier,
     ElasticGear,
     Friction,
+    FrictionLaw,
     Gear,
     HydraulicMotor,
     JointType,
+    LoadFriction,
     LoopCut,
+    LugreFriction,
     Material,
     Mesh,
     Polyline,
@@ -29,6 +36,7 @@ from ropsim.model import (
     RobotModel,
     Shape,
     Sphere,
+    StribeckFriction,
     ValveAmplifier,
     VoltageAmplifier,
     beside,
@@ -37,7 +45,8 @@ from ropsim.model import (
 from ropsim.nirox import ConformanceClass, ReadNirox, read_nirox, write_nirox
 from ropsim.spatial import Pose
 from support.built_in import WRITTEN
-from support.cylinders import lifted
+from support.cylinders import CYLINDER, lifted
+from support.cylinders import DRIVE as CYLINDER_DRIVE
 from support.nirox_texts import TEXT
 from support.trees import random_tree
 
@@ -140,9 +149,49 @@ def test_drives_of_all_kinds_and_drawn_things_come_back() -> None:
     assert again(changed) == changed
 
 
+@pytest.mark.parametrize("effort", [0.9, 0.5, inf])
+def test_motors_in_current_loops_come_back(effort: float) -> None:
+    robot = robots.load("two_link")
+    motor = CurrentLoopMotor(0.1, 0.11, 0.9, 1e-3, 2e-4, 48.0, 9.0, 2e3)
+    if effort == 0.9:
+        effort = motor.torque_constant * motor.max_current
+    drive = Drive(EffortAmplifier(effort), motor, Gear(-60.0))
+    changed = replace(robot, drives=(drive, robot.drives[1]))
+    found = again(changed)
+    assert found.drives[0].motor == motor
+    own = motor.torque_constant * motor.max_current
+    assert found.drives[0].amplifier == EffortAmplifier(min(effort, own))
+        min(effort, motor.torque_constant * motor.max_current)
+    )
+
+
+def test_gears_with_play_come_back() -> None:
+    robot = robots.load("two_link")
+    gear = BacklashGear(-80.0, 2e4, 3.0, 2e-4)
+    changed = replace(robot, drives=tuple(replace(one, transmission=gear) for one in robot.drives))
+    assert again(changed) == changed
+
+
+@pytest.mark.parametrize(
+    "law",
+    [
+        StribeckFriction(1e-4, 0.02, 0.03, 5.0, 1.5, 2e-3),
+        LoadFriction(1e-4, 0.02, 0.11),
+        LugreFriction(1e-4, 0.02, 0.03, 5.0, 40.0, 0.01),
+    ],
+)
+def test_laws_of_friction_come_back(law: FrictionLaw) -> None:
+    robot = robots.load("two_link")
+    changed = replace(robot, drives=tuple(replace(one, friction=law) for one in robot.drives))
+    assert again(changed) == changed
+
+
+OIL_MOTOR = HydraulicMotor(
+    2e-4, 3e-4, 1e-12, 0.1, 2.1e7, 2e5, 1.4e9, 40e-3 / 60.0, 7e6, 0.05, 630.0, 0.8, 860.0
+)
 HYDRAULIC = Drive(
     ValveAmplifier(0.05),
-    HydraulicMotor(2e-4, 3e-4, 1e-12, 0.1, 2.1e7, 2e5, 1.4e9, 40e-3 / 60.0, 7e6, 0.05, 630.0, 0.8, 860.0),
+    OIL_MOTOR,
     Gear(-1.5),
     Friction(20.0),
 )
@@ -151,6 +200,42 @@ HYDRAULIC = Drive(
 def test_hydraulic_drives_come_back() -> None:
     robot = replace(robots.load("two_link"), drives=(HYDRAULIC,) * 2)
     assert again(robot) == robot
+
+
+def test_edges_of_valves_come_back() -> None:
+    motor = replace(OIL_MOTOR, null_flow=2e-5, overlap=0.03)
+    robot = replace(robots.load("two_link"), drives=(replace(HYDRAULIC, motor=motor),) * 2)
+    assert again(robot) == robot
+    assert again(lifted(replace(CYLINDER_DRIVE, motor=replace(CYLINDER, null_flow=1e-5)))).drives[
+        0
+    ].motor == (replace(CYLINDER, null_flow=1e-5))
+
+
+@pytest.mark.parametrize(
+    ("entity", "words"),
+    [
+        ("VALVE_NULL_FLOW(#7,1.)", "less than the rated"),
+        ("VALVE_NULL_FLOW(#7,0.)", "positive_real"),
+    ],
+)
+def test_a_null_flow_that_cannot_be_is_an_error(entity: str, words: str) -> None:
+    text = write_nirox(replace(robots.load("two_link"), drives=(HYDRAULIC,) * 2)).text
+    found = re.search(r"#(\d+)=SERVO_VALVE", text)
+    assert found
+    told = read(
+        text.replace("ENDSEC;\nEND-ISO", f"#9999={entity.replace('#7', f'#{found[1]}')};\nENDSEC;\nEND-ISO")
+    )
+    (error,) = [one for one in told.findings if one.is_error]
+    assert words in error.message
+
+
+def test_an_underlap_is_told_as_lost() -> None:
+    text = write_nirox(replace(robots.load("two_link"), drives=(HYDRAULIC,) * 2)).text
+    assert ",630.,0.8,0.,0.,$)" in text
+    found = read(text.replace(",630.,0.8,0.,0.,$)", ",630.,0.8,-0.02,0.,$)", 1))
+    assert found.robot is not None
+    assert found.robot.drives[0] == HYDRAULIC
+    assert any("underlap" in one.message for one in found.findings)
 
 
 def test_a_valve_that_never_opens_as_far_as_its_data_say_is_told() -> None:

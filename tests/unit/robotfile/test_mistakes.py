@@ -47,6 +47,16 @@ def found_in(text: str) -> tuple[Diagnostic, ...]:
         ("joints", "links = [{ mass = 3 }, {}]\njoints", "X902", "{}", "link 2 has no mass"),
         ("joints", "mass = 2\nlinks = [{ mass = 3 }, {}]\njoints", "X906", "2", "3 kg"),
         ("joints", f"drives = [{SERVO}, {SERVO}]\njoints", "X903", "drives", "no link has a mass"),
+        *(
+            ("joints", f"mass = 9\ndrives = [{SERVO}, {{ kind = 'servo', {keys} }}]\njoints", code, at, words)
+            for keys, code, at, words in (
+                ("coulomb = 2, breakaway = 1, stribeck_speed = 3", "X806", "1", "at least `coulomb`, 2"),
+                ("breakaway = 1", "X803", "{ kind = 'servo', breakaway = 1 }", "`stribeck_speed`"),
+                ("backlash = 1e-3", "X803", "{ kind = 'servo', backlash = 1e-3 }", "`stiffness`"),
+                ("load_share = 1", "X806", "1", "0.99"),
+                ("load_share = 0.1, breakaway = 1, stribeck_speed = 3", "X812", "load_share", "two laws"),
+            )
+        ),
         ("joints", f"mass = 9\ndrives = [{SERVO}]\njoints", "X805", f"[{SERVO}]", "one per joint"),
         ("joints", f"mass = 9\ndrives = [{SERVO}, {{ ratio = 2 }}]\njoints", "X803", "{ ratio", "`kind`"),
         (

@@ -9,12 +9,20 @@ from ropsim import kinematics, robots
 from ropsim.core import SourceText
 from ropsim.dynamics import gravity
 from ropsim.model import (
+    BacklashGear,
+    CurrentLoopMotor,
     DcMotor,
+    EffortAmplifier,
     ElasticGear,
+    Friction,
+    FrictionLaw,
     HydraulicMotor,
     JointType,
     Linkage,
+    LoadFriction,
+    LugreFriction,
     RobotModel,
+    StribeckFriction,
     ValveAmplifier,
     audit,
     capsule,
@@ -171,6 +179,56 @@ def test_drives_may_be_servos_with_elastic_gears() -> None:
     assert robot.drives[0].friction.coulomb_negative == -0.1
 
 
+@pytest.mark.parametrize(("more", "torque"), [("", 0.9), (", max_torque = 0.7", 0.7)])
+def test_a_motor_may_be_in_a_current_loop(more: str, torque: float) -> None:
+    row = (
+        '{ kind = "dc", ratio = 50, torque_constant = 0.1, back_emf_constant = 0.11, resistance = 0.9, '
+        "inductance = 1e-3, rotor_inertia = 2e-4, max_voltage = 48, max_current = 9, "
+        f"current_bandwidth = 2e3{more} }}"
+    )
+    robot = arm(f"mass = 12\ndrives = [{row}, {row}]\n" + TWO_JOINTS)
+    assert robot.drives[0].motor == CurrentLoopMotor(0.1, 0.11, 0.9, 1e-3, 2e-4, 48.0, 9.0, 2e3)
+    amplifier = robot.drives[0].amplifier
+    assert isinstance(amplifier, EffortAmplifier)
+    assert amplifier.max_effort == pytest.approx(torque)
+    assert arm(write_robot_file(robot).text).drives == robot.drives
+
+
+def test_an_elastic_gear_may_have_play() -> None:
+    servo = '{ kind = "servo", ratio = 100, max_torque = 2, stiffness = 2e4, damping = 3, backlash = 2e-4 }'
+    robot = arm(f"mass = 12\ndrives = [{servo}, {servo}]\n" + TWO_JOINTS)
+    assert robot.drives[0].transmission == BacklashGear(100.0, 2e4, 3.0, 2e-4)
+    copy = read_robot_file(SourceText("arm.toml", write_robot_file(robot).text)).robot
+    assert copy is not None
+    assert copy.drives == robot.drives
+
+
+@pytest.mark.parametrize(
+    ("keys", "law"),
+    [
+        ("coulomb = [0.1, 0.2]", Friction(0.01, 0.1, -0.2)),
+        ("coulomb = 0.1, breakaway = 0.15, stribeck_speed = 4", StribeckFriction(0.01, 0.1, 0.15, 4.0)),
+        (
+            "breakaway = 0.15, stribeck_speed = 4, stribeck_exponent = 1, smoothing_speed = 1e-3",
+            StribeckFriction(0.01, 0.0, 0.15, 4.0, 1.0, 1e-3),
+        ),
+        ("coulomb = 0.1, load_share = 0.2", LoadFriction(0.01, 0.1, 0.2)),
+        (
+            "coulomb = 0.1, breakaway = 0.2, stribeck_speed = 4, bristle_stiffness = 80, bristle_damping = 2",
+            LugreFriction(0.01, 0.1, 0.2, 4.0, 80.0, 2.0),
+        ),
+    ],
+)
+def test_the_keys_of_friction_say_its_law(keys: str, law: FrictionLaw) -> None:
+    servo = f'{{ kind = "servo", ratio = 100, max_torque = 2, viscous = 0.01, {keys} }}'
+    robot = arm(f"mass = 12\ndrives = [{servo}, {servo}]\n" + TWO_JOINTS)
+    assert robot.drives[0].friction == law
+    written = write_robot_file(robot)
+    copy = read_robot_file(SourceText("arm.toml", written.text)).robot
+    assert copy is not None
+    assert copy.drives == robot.drives
+
+
 def test_drives_may_be_hydraulic() -> None:
     keys = (
         "displacement = 2e-4, chamber_volume = 3e-4, leakage = 1e-12, supply_pressure = 21e6, "
@@ -183,11 +241,16 @@ def test_drives_may_be_hydraulic() -> None:
     )
     robot = arm(f"mass = 12\ndrives = [{one}, {other}]\n" + TWO_JOINTS)
     first, second = robot.drives
+    assert isinstance(first.motor, HydraulicMotor)
     assert first.motor == HydraulicMotor(
         2e-4, 3e-4, 1e-12, 0.0, 21e6, 0.0, 1.4e9, 6e-4, 7e6, 0.05, 630.0, 0.7
     )
     assert (first.amplifier, second.amplifier) == (ValveAmplifier(0.05), ValveAmplifier(0.04))
     assert arm(write_robot_file(robot).text).drives == robot.drives
+    edges = one.replace("leakage", "null_flow = 2e-5, overlap = 0.03, leakage")
+    leaking = arm(f"mass = 12\ndrives = [{edges}, {other}]\n" + TWO_JOINTS)
+    assert leaking.drives[0].motor == replace(first.motor, null_flow=2e-5, overlap=0.03)
+    assert arm(write_robot_file(leaking).text).drives == leaking.drives
 
 
 CYLINDER = (
@@ -214,6 +277,8 @@ mass = 200
         ("area_b = 5.4e-3", "area_b = 8e-3", "area_b"),
         ("supply_pressure = 16e6", "supply_pressure = 16e6, return_pressure = 16e6", "return_pressure"),
         ("carrier_pin = [0.26, -1.04, 0]", "carrier_pin = [0.26, -1.04]", "carrier_pin"),
+        ("leakage = 3e-12", "null_flow = 5e-4", "the rated flow is 0.0004"),
+        ("leakage = 3e-12", "overlap = 0.95", "0.9"),
     ],
 )
 def test_what_is_wrong_in_the_row_of_a_cylinder_is_told_alone(before: str, after: str, word: str) -> None:

@@ -8,7 +8,7 @@ import pytest
 import ropsim
 from ropsim import robots
 from ropsim.flow import Recording
-from ropsim.model import CurrentLimitedAmplifier, Rates, RobotModel, Tool, VoltageAmplifier
+from ropsim.model import CurrentLimitedAmplifier, Friction, Rates, RobotModel, Tool, VoltageAmplifier
 from ropsim.simulation import RunOptions, run
 from ropsim.workbench import environment_of
 from support.cells import one_station
@@ -29,7 +29,8 @@ mov (450, 0, 800)
 
 
 def _ran(kind: type[VoltageAmplifier] | type[CurrentLimitedAmplifier]) -> Recording:
-    friction = replace(PUMA.drives[1].friction, coulomb_positive=COULOMB, coulomb_negative=-COULOMB)
+    known = PUMA.drives[1].friction
+    friction = Friction(known.viscous, COULOMB, -COULOMB, known.smoothing_speed)
     limited = replace(PUMA.drives[1], amplifier=kind(40.0, AMPERES), friction=friction)
     robot: RobotModel = replace(PUMA, drives=(PUMA.drives[0], limited, *PUMA.drives[2:]))
     model = robots.cascaded_controller(PUMA, Rates())

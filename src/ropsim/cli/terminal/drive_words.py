@@ -3,9 +3,11 @@
 from ropsim.cli.terminal.coordinates import shown
 from ropsim.core import plural
 from ropsim.model import (
+    BacklashGear,
+    CurrentLoopMotor,
     DcMotor,
     Drive,
-    ElasticGear,
+    Elastic,
     HydraulicCylinder,
     HydraulicMotor,
     Linkage,
@@ -33,14 +35,18 @@ def drive_lines(robot: RobotModel) -> list[str]:
 def _kind(drive: Drive) -> str:
     """Return the kind of a drive, in the plural."""
     gear = drive.transmission
-    gears = "elastic gears" if isinstance(gear, ElasticGear) else "gears"
-    if not isinstance(gear, ElasticGear | Linkage) and abs(gear.ratio) == 1.0:
+    gears = "elastic gears" if isinstance(gear, Elastic) else "gears"
+    if isinstance(gear, BacklashGear):
+        gears = "elastic gears with play"
+    if not isinstance(gear, Elastic | Linkage) and abs(gear.ratio) == 1.0:
         gears = "directly at the joints"
     match drive.motor:
         case HydraulicCylinder():
             return "hydraulic cylinders at servo valves"
         case HydraulicMotor():
             return f"hydraulic motors at servo valves, {gears}"
+        case CurrentLoopMotor():
+            return f"motors in current loops, {gears}"
         case DcMotor():
             return f"DC motors, {gears}"
         case _:

@@ -12,10 +12,12 @@ _CALLS = {
     "abs": "abs",
     "sin": "math.sin",
     "cos": "math.cos",
+    "exp": "math.exp",
     "tanh": "math.tanh",
     "sqrt": "math.sqrt",
     "min": "min",
     "max": "max",
+    "pow": "math.pow",
 }
 _INLINE_LENGTH = 72
 

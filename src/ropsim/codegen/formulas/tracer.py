@@ -12,6 +12,7 @@ UNARY: Mapping[str, Callable[[float], float]] = {
     "abs": abs,
     "sin": math.sin,
     "cos": math.cos,
+    "exp": math.exp,
     "tanh": math.tanh,
     "sqrt": math.sqrt,
 }
@@ -55,7 +56,7 @@ class Scalar:
     Attributes:
         tracer: the graph it belongs to.
         index: order of creation; arguments always come before their operation.
-        op: `const`, `var`, `add`, `sub`, `mul`, `div`, `min`, `max` or a key of `UNARY`.
+        op: `const`, `var`, `add`, `sub`, `mul`, `div`, `min`, `max`, `pow` or a key of `UNARY`.
         args: operands.
         text: where a variable is read from.
         value: the number of a constant, else None.
@@ -173,6 +174,11 @@ def cos(x: Scalar) -> Scalar:
     return x._unary("cos")
 
 
+def exp(x: Scalar) -> Scalar:
+    """Return the exponential function."""
+    return x._unary("exp")
+
+
 def tanh(x: Scalar) -> Scalar:
     """Return the hyperbolic tangent."""
     return x._unary("tanh")
@@ -191,6 +197,11 @@ def minimum(a: Scalar, b: Scalar) -> Scalar:
 def maximum(a: Scalar, b: Scalar) -> Scalar:
     """Return the larger of two numbers as Python's `max` does: the first unless the second is larger."""
     return a.tracer.operation("max", a, b)
+
+
+def power(base: Scalar, exponent: Scalar) -> Scalar:
+    """Return a number that is not negative to a power that is positive."""
+    return base.tracer.operation("pow", base, exponent)
 
 
 def reachable(roots: Sequence[Scalar]) -> list[Scalar]:

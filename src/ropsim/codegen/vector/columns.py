@@ -44,10 +44,10 @@ def columns(function: F) -> F:
     """Let kernels call a function that works on rows, column by column, with vector instructions.
 
     Its body is one loop, `for j in range(count):`, over straight lines: of `+ - * /`, `abs`, `min`, `max`,
-    `sqrt`, `rint`, `sin`, `cos`, `tanh`, `atan2` and `… if x < y else …` (or `<=`, `>`, `>=`, `==`), of its
-    floats and floats that its module names, of `x[j]` of arrays with one axis and `x[2, j]` of arrays with
-    two, and of `x[2]` of one with one axis, the same for all columns, which no column may change. Numbers of
-    rows may be names of whole numbers and sums of these. No column depends on another one. The first argument
-    is the count.
+    `sqrt`, `rint`, `sin`, `cos`, `exp`, `tanh`, `atan2`, `pow` and `… if x < y else …` (or `<=`, `>`, `>=`,
+    `==`), of its floats and floats that its module names, of `x[j]` of arrays with one axis and `x[2, j]` of
+    arrays with two, and of `x[2]` of one with one axis, the same for all columns, which no column may change.
+    Numbers of rows may be names of whole numbers and sums of these. No column depends on another one. The
+    first argument is the count.
     """
     return cast("F", Columns(function))

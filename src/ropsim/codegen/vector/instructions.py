@@ -11,7 +11,7 @@ LANES = 8
 VECTOR = ir.VectorType(REAL, LANES)
 _LANE = ir.IntType(32)
 _OPERATIONS = {ast.Add: "fadd", ast.Sub: "fsub", ast.Mult: "fmul", ast.Div: "fdiv"}
-_FOREIGN = ("sin", "cos", "tanh", "atan2")
+_FOREIGN = ("sin", "cos", "exp", "tanh", "atan2", "pow")
 """Functions of the C library, which Python's `math` also calls."""
 _COMPARED = {"min": "<", "max": ">"}
 _CONDITIONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "=="}

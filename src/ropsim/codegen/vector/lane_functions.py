@@ -5,7 +5,8 @@ into polynomials (Sun Microsystems 1993, fdlibm: k_sin.c, k_cos.c, e_rem_pio2.c)
 the C library is called. The hyperbolic tangent is m/(m + 2) with m = exp(2·|x|) - 1, by powers of 2 and the
 series of exp between them. The direction of (x, y) is a multiple of π/4 and an angle of less than π/8 on one
 side of it, by the polynomial of s_atan.c there. Errors are below 3e-16 of sine and cosine, and of the tangent
-as a share of it; of the direction below 4e-16 as a share.
+as a share of it; of the direction below 4e-16 as a share. Exponential functions and powers, which few
+formulas have, are those of the C library, lane by lane.
 """
 
 import ast
@@ -164,6 +165,8 @@ class LaneFunctions(LaneValues):
         module, value = self.builder.module, args[0]
         if name in ("tanh", "atan2"):
             return self.builder.call(tangent(module) if name == "tanh" else direction(module), args)
+        if name in ("exp", "pow"):
+            return _of_each(self, name, *args)
         if name not in ("sin", "cos"):
             raise ValueError(f"`{name}` is not written for vectors")
         if value not in self._angles:
@@ -189,11 +192,11 @@ def _whole(number: int) -> ir.Value:
     return ir.Constant(_WHOLES, [number] * LANES)
 
 
-def _of_each(lines: LaneValues, name: str, x: ir.Value) -> ir.Value:
-    """Return the results of a function of the C library for each number of a vector."""
+def _of_each(lines: LaneValues, name: str, *args: ir.Value) -> ir.Value:
+    """Return the results of a function of the C library for each number of its arguments."""
     found = ir.Constant(VECTOR, ir.Undefined)
     for lane in range(LANES):
-        found = lines.with_lane(found, lane, lines.foreign(name, [lines.lane(x, lane)]))
+        found = lines.with_lane(found, lane, lines.foreign(name, [lines.lane(one, lane) for one in args]))
     return found
 
 

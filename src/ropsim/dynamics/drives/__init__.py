@@ -4,6 +4,8 @@ from ropsim.dynamics.drives.block import Carried as Carried
 from ropsim.dynamics.drives.block import Column as Column
 from ropsim.dynamics.drives.block import Limit as Limit
 from ropsim.dynamics.drives.block import LimitSort as LimitSort
+from ropsim.dynamics.drives.block import Rubbing as Rubbing
+from ropsim.dynamics.drives.block import Steepness as Steepness
 from ropsim.dynamics.drives.chain import DriveChain as DriveChain
 from ropsim.dynamics.drives.chain import chain_of as chain_of
 from ropsim.dynamics.drives.faults import drive_fault as drive_fault
@@ -11,6 +13,7 @@ from ropsim.dynamics.drives.faults import range_fault as range_fault
 from ropsim.dynamics.drives.steady import SteadyDrive as SteadyDrive
 from ropsim.dynamics.drives.steady import command_band as command_band
 from ropsim.dynamics.drives.steady import command_limit as command_limit
+from ropsim.dynamics.drives.steady import friction_steepness as friction_steepness
 from ropsim.dynamics.drives.steady import largest_effort as largest_effort
 from ropsim.dynamics.drives.steady import reflected_inertia as reflected_inertia
 from ropsim.dynamics.drives.steady import steady_drive as steady_drive

@@ -144,6 +144,25 @@ class MotorBlock:
     most: Callable[[Any], float] | None = None
 
 
+class Rubbing(NamedTuple):
+    """Effect of friction at the joint.
+
+    Attributes:
+        torque: torque or force that friction takes there, except for what grows with the load.
+        share: what it takes besides, over the magnitude of the effort that the drive brings there; negative
+            in motion back, None where friction does not depend on the load.
+        rates: of its states.
+    """
+
+    torque: Scalar
+    share: Scalar | None = None
+    rates: tuple[Scalar, ...] = ()
+
+    def under(self, effort: Scalar) -> Scalar:
+        """Return all that friction takes under an effort of the drive."""
+        return self.torque if self.share is None else self.torque + self.share * abs(effort)
+
+
 class Shaft(NamedTuple):
     """The two sides of a transmission.
 
@@ -152,14 +171,14 @@ class Shaft(NamedTuple):
         qd: joint speed.
         motor: maps the movement of the shaft to the input and effect of the motor.
         inertia: of the rotor.
-        friction: ratio G and speed seen at the joint, to the torque at the joint that friction takes.
+        friction: ratio G and speed seen at the joint, to the effect of friction there.
     """
 
     q: Scalar
     qd: Scalar
     motor: Callable[[Movement], Turning]
     inertia: Scalar
-    friction: Callable[[Scalar, Scalar], Scalar]
+    friction: Callable[[Scalar, Scalar], Rubbing]
 
 
 class Carried(NamedTuple):
@@ -167,19 +186,53 @@ class Carried(NamedTuple):
 
     Attributes:
         effort: torque or force of the drive at the joint, before friction that acts there.
-        friction: torque or force that friction takes at the joint, including the inertial force of the motor
-            due to its changing ratio; None where it acts on the motor alone.
+        friction: what friction takes at the joint, including the inertial force of the motor due to its
+            changing ratio; None where it acts on the motor alone.
         inertia: reflected inertia at the joint in addition to its links; None if the motor moves
             independently.
-        rates: of the states of the motor, then of the transmission.
+        rates: of the states of the motor, then of the transmission, then of friction.
         given: input of the motor from its amplifier, in the sense of the motor.
     """
 
     effort: Scalar
-    friction: Scalar | None
+    friction: Rubbing | None
     inertia: Scalar | None
     rates: tuple[Scalar, ...]
     given: Scalar
+
+
+class Steepness(NamedTuple):
+    """How steep friction is at rest, seen at the joint.
+
+    Attributes:
+        slope: of friction over the speed [N·m·s/rad | N·s/m].
+        stiffness: of what holds the joint as on a spring while it sticks [N·m/rad | N/m].
+    """
+
+    slope: float
+    stiffness: float = 0.0
+
+
+@frozen_dataclass
+class FrictionBlock:
+    """A law of friction.
+
+    Attributes:
+        numbers: attributes of its record that the formulas take.
+        states: its states.
+        trace: `(numbers, states, G, joint speed)` to its effect at the joint.
+        sliding: `(numbers, G, joint speed)` to the same in steady motion, where no state is at hand.
+        steady: `(record, motor speed)` to its states in steady motion.
+        steepness: `(record, G, largest effort at the joint)` to how steep it is at rest; inf for an effort
+            without limit.
+    """
+
+    numbers: tuple[str, ...]
+    states: tuple[Column, ...]
+    trace: Callable[[Numbers, Numbers, Scalar, Scalar], Rubbing]
+    sliding: Callable[[Numbers, Scalar, Scalar], Rubbing]
+    steady: Callable[[Any, float], tuple[float, ...]]
+    steepness: Callable[[Any, float, float], Steepness]
 
 
 @frozen_dataclass

@@ -1,20 +1,23 @@
 """The chain of a drive: its blocks in series, as one traced formula."""
 
+from collections.abc import Callable
+
 from ropsim.codegen import Scalar
 from ropsim.core import frozen_dataclass
 from ropsim.dynamics.drives.block import (
     AmplifierBlock,
     Carried,
     Column,
+    FrictionBlock,
     MotorBlock,
     Movement,
     Numbers,
+    Rubbing,
     Shaft,
     TransmissionBlock,
     Turning,
 )
-from ropsim.dynamics.drives.friction import FRICTION_NUMBERS, trace_friction
-from ropsim.dynamics.drives.table import AMPLIFIERS, MOTORS, TRANSMISSIONS
+from ropsim.dynamics.drives.table import AMPLIFIERS, FRICTIONS, MOTORS, TRANSMISSIONS
 from ropsim.model import Drive
 
 
@@ -26,16 +29,18 @@ class DriveChain:
         amplifier: takes the command of the joint controller.
         motor: takes the output of the amplifier.
         transmission: brings the torque of the motor to the joint.
+        friction: of motor and transmission.
     """
 
     amplifier: AmplifierBlock
     motor: MotorBlock
     transmission: TransmissionBlock
+    friction: FrictionBlock
 
     @property
     def states(self) -> tuple[Column, ...]:
-        """Return the states: of the motor, then of the transmission."""
-        return (*self.motor.states, *self.transmission.states)
+        """Return the states: of the motor, then of the transmission, then of friction."""
+        return (*self.motor.states, *self.transmission.states, *self.friction.states)
 
     @property
     def size(self) -> int:
@@ -68,21 +73,50 @@ class DriveChain:
             p: numbers of the drive.
             q: joint coordinate.
             qd: joint speed.
-            states: of motor and transmission.
+            states: of motor, transmission and friction.
             u: output of the amplifier, unless it reads its motor.
         """
-        _, motor, gear, friction = self._parts(p)
+        friction = self._parts(p)[3]
+        rubbed = states[len(self.motor.states) + len(self.transmission.states) :]
+
+        def taken(ratio: Scalar, speed: Scalar) -> Rubbing:
+            return self.friction.trace(friction, rubbed, ratio, speed)
+
+        return self._carried(p, (q, qd), states, u, taken)
+
+    def side(self, p: Numbers, q: Scalar, qd: Scalar) -> Carried:
+        """Return the effect of the drive without torque in steady motion, no state of which is known.
+
+        Args:
+            p: numbers of the drive.
+            q: joint coordinate.
+            qd: joint speed.
+        """
+        zero, friction = q.tracer.constant(0.0), self._parts(p)[3]
+
+        def taken(ratio: Scalar, speed: Scalar) -> Rubbing:
+            return self.friction.sliding(friction, ratio, speed)
+
+        return self._carried(p, (q, qd), [zero] * len(self.states), zero, taken)
+
+    def _carried(
+        self,
+        p: Numbers,
+        joint: tuple[Scalar, Scalar],
+        states: Numbers,
+        u: Scalar,
+        taken: Callable[[Scalar, Scalar], Rubbing],
+    ) -> Carried:
+        _, motor, gear, _ = self._parts(p)
         own = len(self.motor.states)
+        end = own + len(self.transmission.states)
 
         def turning(shaft: Movement) -> Turning:
             given = self._given(p, u, shaft.speed)
             return Turning(given, self.motor.trace(motor, states[:own], given, shaft))
 
-        def taken(ratio: Scalar, speed: Scalar) -> Scalar:
-            return trace_friction(friction, ratio, speed)
-
-        shaft = Shaft(q, qd, turning, self.motor.inertia(motor), taken)
-        return self.transmission.trace(gear, states[own:], shaft)
+        shaft = Shaft(*joint, turning, self.motor.inertia(motor), taken)
+        return self.transmission.trace(gear, states[own:end], shaft)
 
     def _given(self, p: Numbers, u: Scalar, speed: Scalar) -> Scalar:
         """Return the input of the motor at a speed of its shaft."""
@@ -94,8 +128,8 @@ class DriveChain:
 
     @property
     def _names(self) -> tuple[tuple[str, ...], ...]:
-        blocks = (self.amplifier, self.motor, self.transmission)
-        return (*(block.numbers for block in blocks), FRICTION_NUMBERS)
+        blocks = (self.amplifier, self.motor, self.transmission, self.friction)
+        return tuple(block.numbers for block in blocks)
 
     def _parts(self, p: Numbers) -> list[Numbers]:
         parts, first = [], 0
@@ -111,4 +145,5 @@ def chain_of(drive: Drive) -> DriveChain:
         AMPLIFIERS[type(drive.amplifier)],
         MOTORS[type(drive.motor)],
         TRANSMISSIONS[type(drive.transmission)],
+        FRICTIONS[type(drive.friction)],
     )

@@ -11,6 +11,8 @@ from ropsim.model import (
     Joint,
     JointType,
     Linkage,
+    LugreFriction,
+    StribeckFriction,
 )
 
 Fault = tuple[str, str]
@@ -52,9 +54,22 @@ def drive_fault(drive: Drive) -> Fault | None:
         found := _hydraulic_fault(drive.motor)
     ):
         return found
+    if isinstance(drive.friction, StribeckFriction | LugreFriction) and (
+        found := _breakaway_fault(drive.friction)
+    ):
+        return found
     if chain.transmission.states and not drive.motor.rotor_inertia > 0.0:
         found_inertia = f"is `{drive.motor.rotor_inertia}`; behind an elastic gear it must be positive"
         return "`rotor_inertia`", found_inertia
+    return None
+
+
+def _breakaway_fault(friction: StribeckFriction | LugreFriction) -> Fault | None:
+    if friction.breakaway < friction.coulomb:
+        why = f"is `{friction.breakaway}`; it is at least `coulomb`, {friction.coulomb}"
+        return "`breakaway`", why
+    if isinstance(friction, LugreFriction) and not friction.coulomb > 0.0:
+        return "`coulomb`", f"is `{friction.coulomb}`; of bristles it must be positive"
     return None
 
 
@@ -66,6 +81,10 @@ def _hydraulic_fault(motor: Hydraulic) -> Fault | None:
         return "`area_b`", f"is `{motor.area_b}`; the ring around the rod cannot be larger than the piston"
     if not motor.leakage >= 0.0:
         return "`leakage`", f"is `{motor.leakage}`; it must be 0 or more"
+    if not 0.0 <= motor.null_flow < motor.rated_flow:
+        return "`null_flow`", f"is `{motor.null_flow}`; it must be 0 or more, and less than the rated flow"
+    if not 0.0 <= motor.overlap < 1.0:
+        return "`overlap`", f"is `{motor.overlap}`; it must be 0 or more, and less than 1"
     if not motor.rotor_inertia >= 0.0:
         name = "moving_mass" if isinstance(motor, HydraulicCylinder) else "rotor_inertia"
         return f"`{name}`", f"is `{motor.rotor_inertia}`; it must be 0 or more"

@@ -10,7 +10,8 @@ def _trace(p: Numbers, states: Numbers, shaft: Shaft) -> Carried:
     (ratio,) = p
     given, motor = shaft.motor(Movement(ratio * shaft.q, ratio * shaft.qd))
     inertia = shaft.inertia * (ratio * ratio)
-    return Carried(ratio * motor.torque, shaft.friction(ratio, shaft.qd), inertia, motor.rates, given)
+    effort, rubbing = ratio * motor.torque, shaft.friction(ratio, shaft.qd)
+    return Carried(effort, rubbing, inertia, (*motor.rates, *rubbing.rates), given)
 
 
 def _rest(gear: Gear, q: float, effort: float) -> Steady:

@@ -7,8 +7,12 @@ Servo-systems, Springer 2003, chapter 4.
 from ropsim.codegen import Scalar, maximum, minimum
 from ropsim.dynamics.drives.block import MotorBlock, Movement, Numbers, Steady, Torque
 from ropsim.dynamics.drives.servo_valve import (
+    MOST_OPENING,
     VALVE_NUMBERS,
+    VALVE_POSITIVE,
     VALVE_STATES,
+    flow_into,
+    middle_of,
     opening_for,
     trace_flows,
     trace_spool,
@@ -42,6 +46,8 @@ def _steady(cylinder: HydraulicCylinder, force: float, speed: float) -> Steady:
     is taken where leak and motion nearly cancel in one chamber. Beyond stall the flow is that of laminar
     edges.
     """
+    if cylinder.null_flow:
+        return _leaking(cylinder, force, speed)
     ends = (cylinder.supply_pressure, cylinder.return_pressure)
     a, b = _pressures(cylinder, force, 1.0, ends)
     for _ in range(_ROUNDS):
@@ -53,6 +59,36 @@ def _steady(cylinder: HydraulicCylinder, force: float, speed: float) -> Steady:
     fall = cylinder.supply_pressure - a if flow >= 0.0 else a - cylinder.return_pressure
     opening = opening_for(cylinder, flow, fall)
     return Steady((a, b, opening, 0.0), opening * cylinder.rated_input)
+
+
+def _leaking(cylinder: HydraulicCylinder, force: float, speed: float) -> Steady:
+    """Return the steady state with a valve whose edges leak.
+
+    What flows into one chamber, times the area of the other, falls with their pressures, which the force ties
+    to each other: for an opening they are where the leak between the chambers alone is left of the sum. And
+    the rod goes the faster, the more the valve is open.
+    """
+    area_a, area_b = cylinder.area_a, cylinder.area_b
+    most = 2.0 * (cylinder.supply_pressure + abs(force) / area_b)
+
+    def leak(b: float) -> float:
+        return cylinder.leakage * ((force + area_b * b) / area_a - b)
+
+    def pressures(opening: float) -> tuple[float, float]:
+        def short(b: float) -> float:
+            a = (force + area_b * b) / area_a
+            into = area_b * flow_into(cylinder, a, opening) + area_a * flow_into(cylinder, b, -opening)
+            return (area_b - area_a) * leak(b) - into
+
+        b = middle_of(short, most)
+        return (force + area_b * b) / area_a, b
+
+    def faster(opening: float) -> float:
+        a, b = pressures(opening)
+        return flow_into(cylinder, a, opening) - leak(b) - area_a * speed
+
+    opening = middle_of(faster, MOST_OPENING)
+    return Steady((*pressures(opening), opening, 0.0), opening * cylinder.rated_input)
 
 
 def _pressures(
@@ -97,7 +133,7 @@ HYDRAULIC_CYLINDER = MotorBlock(
         "dead_volume_a",
         "dead_volume_b",
         "bulk_modulus",
-        *VALVE_NUMBERS[1:],
+        *VALVE_POSITIVE,
     ),
     states=VALVE_STATES,
     trace=_trace,

@@ -8,8 +8,12 @@ from math import copysign
 from ropsim.codegen import Scalar
 from ropsim.dynamics.drives.block import MotorBlock, Movement, Numbers, Steady, Torque
 from ropsim.dynamics.drives.servo_valve import (
+    MOST_OPENING,
     VALVE_NUMBERS,
+    VALVE_POSITIVE,
     VALVE_STATES,
+    flow_into,
+    middle_of,
     opening_for,
     trace_flows,
     trace_spool,
@@ -34,15 +38,17 @@ def _steady(motor: HydraulicMotor, torque: float, speed: float) -> Steady:
     flow = motor.displacement * speed + motor.leakage * load
     middle = 0.5 * (motor.supply_pressure + motor.return_pressure)
     fall = 0.5 * (motor.supply_pressure - motor.return_pressure - copysign(load, flow * load))
+    a, b = middle + 0.5 * load, middle - 0.5 * load
     opening = opening_for(motor, flow, fall)
-    states = (middle + 0.5 * load, middle - 0.5 * load, opening, 0.0)
-    return Steady(states, opening * motor.rated_input)
+    if motor.null_flow and motor.return_pressure < a < motor.supply_pressure:
+        opening = middle_of(lambda x: flow_into(motor, a, x) - flow, MOST_OPENING)
+    return Steady((a, b, opening, 0.0), opening * motor.rated_input)
 
 
 HYDRAULIC_MOTOR = MotorBlock(
     takes=InputKind.CURRENT,
     numbers=("displacement", "chamber_volume", "leakage", "rotor_inertia", "bulk_modulus", *VALVE_NUMBERS),
-    positive=("displacement", "chamber_volume", "bulk_modulus", *VALVE_NUMBERS[1:]),
+    positive=("displacement", "chamber_volume", "bulk_modulus", *VALVE_POSITIVE),
     states=VALVE_STATES,
     trace=_trace,
     inertia=lambda p: p[3],

@@ -20,8 +20,10 @@ def _trace(p: Numbers, states: Numbers, shaft: Shaft) -> Carried:
     bend = (lever - ratio * ratio) * inverse
     given, motor = shaft.motor(Movement(length - retracted, ratio * shaft.qd))
     turned = shaft.inertia * ratio * bend * (shaft.qd * shaft.qd)
-    against = shaft.friction(ratio, shaft.qd) + turned
-    return Carried(ratio * motor.torque, against, shaft.inertia * (ratio * ratio), motor.rates, given)
+    rubbing = shaft.friction(ratio, shaft.qd)
+    against = rubbing._replace(torque=rubbing.torque + turned)
+    inertia, rates = shaft.inertia * (ratio * ratio), (*motor.rates, *rubbing.rates)
+    return Carried(ratio * motor.torque, against, inertia, rates, given)
 
 
 def _rest(gear: Linkage, q: float, effort: float) -> Steady:

@@ -3,7 +3,10 @@
 H. E. Merritt: Hydraulic Control Systems, Wiley 1967, chapter 5.
 """
 
+from collections.abc import Callable
+from math import copysign
 from math import sqrt as root
+from operator import ge, gt
 
 from ropsim.codegen import Scalar, maximum, sqrt
 from ropsim.dynamics.drives.block import Column, Numbers
@@ -19,11 +22,20 @@ VALVE_NUMBERS = (
     "supply_pressure",
     "rated_flow",
     "rated_pressure_drop",
+    "null_flow",
+    "overlap",
     "rated_input",
     "natural_frequency",
     "damping_ratio",
 )
-"""Attributes of a hydraulic motor or cylinder in these formulas; all except the first are positive."""
+"""Attributes of a hydraulic motor or cylinder in these formulas."""
+VALVE_POSITIVE = (*VALVE_NUMBERS[1:4], *VALVE_NUMBERS[6:])
+"""Those that are positive."""
+MOST_OPENING = 1e3
+"""Openings beyond this are looked for nowhere."""
+_HALVINGS = 60
+LEAST_CLOSED = 1e-12
+"""Added to the openings that an edge is compared with: without null flow they are 0."""
 VALVE_STATES = (
     Column("pressure_a", "Pa", "pressure of the chamber that drives the motor forward", VACUUM),
     Column("pressure_b", "Pa", "pressure of the other chamber", VACUUM),
@@ -44,9 +56,8 @@ def trace_flows(valve: Numbers, a: Scalar, b: Scalar, opening: Scalar) -> tuple[
         opening: of the valve.
     """
     back, supply, flow, drop, *_ = valve
-    zero = opening.tracer.constant(0.0)
     edge = flow * sqrt(2.0 / drop)
-    forward, backward = maximum(opening, zero), maximum(-opening, zero)
+    forward, backward = _trace_edge(valve, opening), _trace_edge(valve, -opening)
     into_a = edge * (forward * _root(supply - a) - backward * _root(a - back))
     into_b = edge * (backward * _root(supply - b) - forward * _root(b - back))
     return into_a, into_b
@@ -59,13 +70,77 @@ def trace_spool(valve: Numbers, current: Scalar, opening: Scalar, rate: Scalar) 
     return natural * (natural * wanted - 2.0 * damping * rate)
 
 
-def opening_for(record: Hydraulic, flow: float, fall: float) -> float:
-    """Return how far an edge is open that lets a flow [m³/s] through at a fall of pressure [Pa].
+def _trace_edge(valve: Numbers, opening: Scalar) -> Scalar:
+    """Return how far an edge lets flow through, 1 at the rated current.
 
-    Where the fall has the other sign, the flow is that of laminar edges.
+    With the overlap o it is closed up to y = (x - o)/(1 - o) = 0. Beyond it is x0 + y, below x0²/(x0 - y),
+    both over 1 + x0 (B. Eryilmaz, B. H. Wilson: Improved tracking control of hydraulic systems, ASME J. Dyn.
+    Sys. Meas. Control 123 (2001), 457-462); x0 is such that Q_0/(2·Q_r) is left of it at the centre.
+    """
+    _, _, flow, _, null_flow, overlap, *_ = valve
+    zero, travel = opening.tracer.constant(0.0), 1.0 - overlap
+    leak, lap = null_flow / (2.0 * flow), overlap / travel
+    middle = leak * (1.0 + lap)
+    least = (middle + sqrt(middle * middle + 4.0 * (1.0 - leak) * leak * lap)) / (2.0 * (1.0 - leak))
+    closed = least + LEAST_CLOSED
+    beyond = (opening - overlap) * (1.0 / travel)
+    leaking = (least * closed) / (closed + maximum(-beyond, zero))
+    return (maximum(beyond, zero) + leaking) * (1.0 / (1.0 + least))
+
+
+def opening_for(record: Hydraulic, flow: float, fall: float) -> float:
+    """Return the opening of a valve that lets a flow [m³/s] through an edge at a fall of pressure [Pa].
+
+    Its edges do not leak. Where the fall has the other sign, the flow is that of laminar edges.
     """
     through = fall / root(root(fall * fall + LAMINAR * LAMINAR)) if fall > 0.0 else root(LAMINAR)
-    return flow / (record.rated_flow * root(2.0 / record.rated_pressure_drop) * through)
+    beyond = flow / (record.rated_flow * root(2.0 / record.rated_pressure_drop) * through)
+    return beyond * (1.0 - record.overlap) + (copysign(record.overlap, beyond) if beyond else 0.0)
+
+
+def flow_into(record: Hydraulic, pressure: float, opening: float) -> float:
+    """Return the flow [m³/s] that a valve lets into a chamber of a pressure [Pa], as `trace_flows` does.
+
+    Args:
+        record: with the valve.
+        pressure: of the chamber.
+        opening: of the edge to the supply; that to the return is open by as much on the other side.
+    """
+    edge = record.rated_flow * root(2.0 / record.rated_pressure_drop)
+    falls = record.supply_pressure - pressure, pressure - record.return_pressure
+    into, out = (fall / root(root(fall * fall + LAMINAR * LAMINAR)) for fall in falls)
+    return edge * (_edge(record, opening) * into - _edge(record, -opening) * out)
+
+
+def middle_of(grows: Callable[[float], float], most: float) -> float:
+    """Return where a function that never falls is 0: the middle of it, where that is a range.
+
+    Args:
+        grows: the function.
+        most: the place is within ±most.
+    """
+    ends = []
+    for reached in (ge, gt):
+        low, high = -most, most
+        for _ in range(_HALVINGS):
+            between = 0.5 * (low + high)
+            low, high = (low, between) if reached(grows(between), 0.0) else (between, high)
+        ends.append(0.5 * (low + high))
+    return 0.5 * sum(ends)
+
+
+def _least(record: Hydraulic) -> float:
+    """Return x0 of `_trace_edge`."""
+    leak, lap = record.null_flow / (2.0 * record.rated_flow), record.overlap / (1.0 - record.overlap)
+    middle = leak * (1.0 + lap)
+    return (middle + root(middle * middle + 4.0 * (1.0 - leak) * leak * lap)) / (2.0 * (1.0 - leak))
+
+
+def _edge(record: Hydraulic, opening: float) -> float:
+    """Return how far an edge lets flow through; see `_trace_edge`."""
+    least, beyond = _least(record), (opening - record.overlap) / (1.0 - record.overlap)
+    closed = least + LEAST_CLOSED
+    return (max(beyond, 0.0) + least * closed / (closed + max(-beyond, 0.0))) / (1.0 + least)
 
 
 def _root(fall: Scalar) -> Scalar:

@@ -4,16 +4,16 @@ from collections.abc import Sequence
 from math import inf
 from typing import NamedTuple
 
-from ropsim.dynamics.drives.block import Limit
+from ropsim.dynamics.drives.block import Limit, Steepness
 from ropsim.dynamics.drives.chain import chain_of
-from ropsim.model import Drive
+from ropsim.model import Drive, InputKind
 
 
 class SteadyDrive(NamedTuple):
     """Steady state of a drive with a constant effort at a joint.
 
     Attributes:
-        states: of motor and transmission.
+        states: of motor, transmission and friction.
         output: of the amplifier, in the sense of the motor.
         command: of the joint controller; positive drives the joint forward.
     """
@@ -34,15 +34,23 @@ def steady_drive(drive: Drive, q: float, qd: float, effort: float) -> SteadyDriv
     """
     chain = chain_of(drive)
     gear = chain.transmission.rest(drive.transmission, q, effort)
-    motor = chain.motor.steady(drive.motor, gear.needs, drive.ratio_at(q) * qd)
+    speed = drive.ratio_at(q) * qd
+    motor = chain.motor.steady(drive.motor, gear.needs, speed)
+    rubbed = chain.friction.steady(drive.friction, speed)
     command = drive.sense * motor.needs
-    return SteadyDrive((*motor.states, *gear.states), motor.needs, command)
+    return SteadyDrive((*motor.states, *gear.states, *rubbed), motor.needs, command)
 
 
 def reflected_inertia(drive: Drive, q: float) -> float:
     """Return J·G² [kg·m² | kg], the inertia of the rotor as the joint at q sees it through a rigid gear."""
     ratio = drive.ratio_at(q)
     return drive.motor.rotor_inertia * ratio * ratio
+
+
+def friction_steepness(drive: Drive, q: float) -> Steepness:
+    """Return how steep the friction of a drive is at rest, as its joint at q sees it."""
+    law = chain_of(drive).friction
+    return law.steepness(drive.friction, drive.ratio_at(q), largest_effort(drive, q))
 
 
 def command_limit(drive: Drive) -> float:
@@ -98,9 +106,11 @@ def largest_effort(drive: Drive, q: float) -> float:
         Infinite where the drive has no limit.
     """
     chain = chain_of(drive)
-    if chain.motor.most is not None:
-        return chain.motor.most(drive.motor) * abs(drive.ratio_at(q))
-    return _bound(drive, chain.amplifier.limits)
+    if chain.motor.most is None:
+        return _bound(drive, chain.amplifier.limits)
+    most = chain.motor.most(drive.motor) * abs(drive.ratio_at(q))
+    is_told = chain.motor.takes is InputKind.EFFORT
+    return min(most, _bound(drive, chain.amplifier.limits)) if is_told else most
 
 
 def _bound(drive: Drive, limits: Sequence[Limit]) -> float:

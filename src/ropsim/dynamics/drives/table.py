@@ -1,24 +1,41 @@
 """The blocks of all records that a drive can be made of: a new one is a file and an entry here."""
 
 from ropsim.dynamics.drives.amplifiers import CURRENT_LIMITED, EFFORT, VALVE, VOLTAGE
-from ropsim.dynamics.drives.block import AmplifierBlock, MotorBlock, TransmissionBlock
+from ropsim.dynamics.drives.backlash_gear import BACKLASH_GEAR
+from ropsim.dynamics.drives.block import (
+    AmplifierBlock,
+    FrictionBlock,
+    MotorBlock,
+    TransmissionBlock,
+)
+from ropsim.dynamics.drives.current_loop import CURRENT_LOOP
 from ropsim.dynamics.drives.dc_motor import DC_MOTOR
 from ropsim.dynamics.drives.elastic_gear import ELASTIC_GEAR
+from ropsim.dynamics.drives.frictions.coulomb import FRICTION
+from ropsim.dynamics.drives.frictions.load import LOAD_FRICTION
+from ropsim.dynamics.drives.frictions.lugre import LUGRE_FRICTION
+from ropsim.dynamics.drives.frictions.stribeck import STRIBECK_FRICTION
 from ropsim.dynamics.drives.gear import GEAR
 from ropsim.dynamics.drives.hydraulic_cylinder import HYDRAULIC_CYLINDER
 from ropsim.dynamics.drives.hydraulic_motor import HYDRAULIC_MOTOR
 from ropsim.dynamics.drives.ideal_motor import IDEAL_MOTOR
 from ropsim.dynamics.drives.linkage import LINKAGE
 from ropsim.model import (
+    BacklashGear,
     CurrentLimitedAmplifier,
+    CurrentLoopMotor,
     DcMotor,
     EffortAmplifier,
     ElasticGear,
+    Friction,
     Gear,
     HydraulicCylinder,
     HydraulicMotor,
     IdealMotor,
     Linkage,
+    LoadFriction,
+    LugreFriction,
+    StribeckFriction,
     ValveAmplifier,
     VoltageAmplifier,
 )
@@ -31,8 +48,20 @@ AMPLIFIERS: dict[type, AmplifierBlock] = {
 }
 MOTORS: dict[type, MotorBlock] = {
     DcMotor: DC_MOTOR,
+    CurrentLoopMotor: CURRENT_LOOP,
     IdealMotor: IDEAL_MOTOR,
     HydraulicMotor: HYDRAULIC_MOTOR,
     HydraulicCylinder: HYDRAULIC_CYLINDER,
 }
-TRANSMISSIONS: dict[type, TransmissionBlock] = {Gear: GEAR, ElasticGear: ELASTIC_GEAR, Linkage: LINKAGE}
+TRANSMISSIONS: dict[type, TransmissionBlock] = {
+    Gear: GEAR,
+    ElasticGear: ELASTIC_GEAR,
+    BacklashGear: BACKLASH_GEAR,
+    Linkage: LINKAGE,
+}
+FRICTIONS: dict[type, FrictionBlock] = {
+    Friction: FRICTION,
+    StribeckFriction: STRIBECK_FRICTION,
+    LoadFriction: LOAD_FRICTION,
+    LugreFriction: LUGRE_FRICTION,
+}

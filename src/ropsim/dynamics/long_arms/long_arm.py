@@ -106,13 +106,15 @@ class LongArmFunctions:
     def inverse(self, q: Array, qd: Array, qdd: Array, wrench: Array, tau: Array) -> None:
         """Enter the torques with friction and motor inertia."""
         self.rigid_inverse(q, qd, qdd, wrench, tau)
-        friction, inertia = self._sides(q, qd)
+        friction, inertia, share = self._sides(q, qd)
         tau += inertia * qdd + friction
+        tau /= 1.0 - share * np.sign(tau)
 
     def forward(self, q: Array, qd: Array, tau: Array, qdd: Array) -> None:
         """Enter the accelerations with friction and motor inertia."""
-        friction, inertia = self._sides(q, qd)
-        self._code(chain_acceleration_code())(q, qd, tau - friction, inertia, self._chain, qdd)
+        friction, inertia, share = self._sides(q, qd)
+        net = tau - friction - share * abs(tau)
+        self._code(chain_acceleration_code())(q, qd, net, inertia, self._chain, qdd)
 
     def mass_matrix(self, q: Array, M: Array) -> None:
         """Enter the mass matrix by rows with motor inertia, `M` of shape (n·n,)."""

@@ -2,16 +2,38 @@
 
 from collections.abc import Callable, Sequence
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
-from ropsim.codegen import Engine, Formula, GivenCode, Scalar, Tracer
-from ropsim.dynamics.drives import Carried
+from ropsim.codegen import Engine, Formula, GivenCode, Scalar, Tracer, maximum, minimum
+from ropsim.dynamics.drives import Carried, Rubbing
 from ropsim.dynamics.structure import ArmStructure, traced_numbers
 from ropsim.spatial import Array
 
-Side = tuple[Scalar, Scalar]
-"""Friction and inertia at the joint."""
+
+class Side(NamedTuple):
+    """What a drive brings to its joint besides its effort.
+
+    Attributes:
+        friction: that it takes.
+        inertia: in addition to that of the links.
+    """
+
+    friction: Rubbing
+    inertia: Scalar
+
+    def needed(self, effort: Scalar) -> Scalar:
+        """Return the effort of the drive at which one is left when friction has taken its part.
+
+        With a share s of the load, τ = x + s·|τ| is solved by x/(1 - s) for positive and x/(1 + s) for
+        negative x, the effort with the other part of friction.
+        """
+        whole, share = effort + self.friction.torque, self.friction.share
+        if share is None:
+            return whole
+        zero = whole.tracer.constant(0.0)
+        return maximum(whole, zero) / (1.0 - share) + minimum(whole, zero) / (1.0 + share)
 
 
 def trace_drives(
@@ -37,9 +59,9 @@ def trace_drives(
 
 
 def sides_of(tracer: Tracer, carried: Sequence[Carried]) -> list[Side]:
-    """Return friction and inertia that drives bring to their joints, 0 where there is none."""
+    """Return what drives bring to their joints, 0 where there is none."""
     zero = tracer.constant(0.0)
-    return [(one.friction or zero, one.inertia or zero) for one in carried]
+    return [Side(one.friction or Rubbing(zero), one.inertia or zero) for one in carried]
 
 
 def joint_sides(
@@ -56,31 +78,35 @@ def joint_sides(
         tracer: the graph.
         joints: coordinates and speeds.
     """
-    zero = tracer.constant(0.0)
-    rest = [zero] * structure.n
-    states = [[zero] * len(chain.states) for chain in structure.drives]
-    return sides_of(tracer, trace_drives(structure, numbers, joints, states, rest))
+    q, qd = joints
+    chains = enumerate(structure.drives)
+    return sides_of(tracer, [chain.side(numbers[k], q[k], qd[k]) for k, chain in chains])
 
 
 @lru_cache(maxsize=64)
 def sides_code(structure: ArmStructure) -> GivenCode:
-    """Return `sides(q, qd, constants, out)`: friction, then inertia, that the drives bring to the joints."""
+    """Return `sides(q, qd, constants, out)`: what the drives bring to the joints, shape (3·n,).
+
+    It is friction that does not depend on the load, then inertia, then the share of the load that friction
+    takes besides.
+    """
     tracer, n = Tracer(), structure.n
+    zero = tracer.constant(0.0)
     q, qd = tracer.variables("q", n), tracer.variables("qd", n)
     sides = joint_sides(structure, traced_numbers(tracer, structure).drives, tracer, (q, qd))
-    sides = sides or [(tracer.constant(0.0),) * 2] * n
-    results = [(f"out[{k}]", friction) for k, (friction, _) in enumerate(sides)]
-    results += [(f"out[{n + k}]", inertia) for k, (_, inertia) in enumerate(sides)]
+    sides = sides or [Side(Rubbing(zero), zero)] * n
+    results = [(f"out[{k}]", one.friction.torque) for k, one in enumerate(sides)]
+    results += [(f"out[{n + k}]", one.inertia) for k, one in enumerate(sides)]
+    results += [(f"out[{2 * n + k}]", one.friction.share or zero) for k, one in enumerate(sides)]
     return GivenCode.of(Formula("sides", ("q", "qd", "out"), results))
 
 
-def drive_sides(structure: ArmStructure, numbers: Array) -> Callable[[Array, Array], tuple[Array, Array]]:
-    """Return the function from joint coordinates and speeds to friction and inertia of drives, (n,) each.
+def drive_sides(structure: ArmStructure, numbers: Array) -> Callable[[Array, Array], Array]:
+    """Return the function from joint coordinates and speeds to what the drives bring, shape (3, n).
 
-    That are friction and inertia.
-
-    Friction has the sign of the motion [N·m | N]; inertia is in kg·m² | kg. The function is plain Python: it
-    has a line for each joint, and compiling them takes longer than many calls.
+    Its rows are friction without load, with the sign of the motion [N·m | N], inertia [kg·m² | kg], and the
+    share of the load that friction takes besides. The function is plain Python: it has a line for each joint,
+    and compiling them takes longer than many calls.
 
     Args:
         structure: of the arm.
@@ -88,9 +114,9 @@ def drive_sides(structure: ArmStructure, numbers: Array) -> Callable[[Array, Arr
     """
     code = sides_code(structure).bound("drive_sides", numbers, Engine.PYTHON)
 
-    def sides(q: Array, qd: Array) -> tuple[Array, Array]:
-        out = np.empty(2 * structure.n)
+    def sides(q: Array, qd: Array) -> Array:
+        out = np.empty(3 * structure.n)
         code(q, qd, out)
-        return out[: structure.n], out[structure.n :].copy()
+        return out.reshape(3, structure.n)
 
     return sides

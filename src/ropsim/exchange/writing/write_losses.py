@@ -10,10 +10,11 @@ from ropsim.exchange.files.names import link_name
 from ropsim.exchange.losses.gathered import listed
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE
 from ropsim.model import (
+    BacklashGear,
     Cylinder,
     Drive,
     EffortAmplifier,
-    ElasticGear,
+    Elastic,
     Friction,
     HydraulicCylinder,
     HydraulicMotor,
@@ -39,11 +40,13 @@ _TESTS: tuple[tuple[str, Callable[[Drive], bool]], ...] = (
     ("displacements and chambers of hydraulic motors", lambda one: isinstance(one.motor, HydraulicMotor)),
     ("gear ratios", lambda one: not isinstance(one.transmission, Linkage) and abs(one.ratio_at(0.0)) != 1.0),
     ("cylinders with their areas, strokes and pins", lambda one: isinstance(one.transmission, Linkage)),
-    ("stiffness and damping of gears", lambda one: isinstance(one.transmission, ElasticGear)),
+    ("stiffness and damping of gears", lambda one: isinstance(one.transmission, Elastic)),
+    ("play of gears", lambda one: isinstance(one.transmission, BacklashGear)),
     (
         "differences of dry friction between the two directions",
         lambda one: one.friction.coulomb_positive != -one.friction.coulomb_negative,
     ),
+    ("friction beyond its viscous and its Coulomb part", lambda one: not isinstance(one.friction, Friction)),
 )
 
 

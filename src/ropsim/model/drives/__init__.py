@@ -1,1 +1,1 @@
-"""Drives as chains of blocks, hydraulic motors and cylinders, and the linkages of cylinders."""
+"""Drives as chains of blocks: friction, hydraulic motors and cylinders, and the linkages of cylinders."""

@@ -4,6 +4,8 @@ from enum import StrEnum
 from math import copysign, inf
 
 from ropsim.core import frozen_dataclass
+from ropsim.model.drives.current_loop import CurrentLoopMotor
+from ropsim.model.drives.friction import Friction, FrictionLaw
 from ropsim.model.drives.hydraulics import HydraulicCylinder, HydraulicMotor
 from ropsim.model.drives.linkage import Linkage
 
@@ -121,28 +123,31 @@ class ElasticGear:
 
 
 @frozen_dataclass
-class Friction:
-    """Viscous and Coulomb friction on the motor side of the gear.
+class BacklashGear:
+    """A gear that twists under load and has play between its flanks.
 
-    The torque that the drive needs against friction, at the joint, is B·G²·q̇ + |G|·|Tc±|·tanh(q̇/v_s), with
-    Tc+ for positive and Tc- for negative joint speed (both in Corke & Armstrong-Hélouvry 1994).
+    Where θ/G - q is within ±b/2, motor and joint do not feel each other. Beyond, by p, the effort at the
+    joint is k·p + d·(ω/G - q̇), θ the motor angle; the damping is bounded by ±k·p, so that flanks do not pull
+    (M. Nordin, P.-O. Gutman: Controlling mechanical systems with backlash - a survey, Automatica 38 (2002),
+    1633-1649).
 
     Attributes:
-        viscous: B [N·m·s/rad] at the motor.
-        coulomb_positive: Tc+ >= 0 [N·m] at the motor, for positive joint speed.
-        coulomb_negative: Tc- <= 0 [N·m] at the motor, for negative joint speed.
-        smoothing_speed: v_s [rad/s] at the joint.
+        ratio: G = motor angle / joint coordinate, signed.
+        stiffness: k at the joint [N·m/rad | N/m].
+        damping: d at the joint [N·m·s/rad | N·s/m].
+        backlash: b, the whole play at the joint while the motor is held [rad | m].
     """
 
-    viscous: float = 0.0
-    coulomb_positive: float = 0.0
-    coulomb_negative: float = 0.0
-    smoothing_speed: float = 5e-3
+    ratio: float
+    stiffness: float
+    damping: float
+    backlash: float
 
 
+Elastic = ElasticGear | BacklashGear
 Amplifier = VoltageAmplifier | CurrentLimitedAmplifier | EffortAmplifier | ValveAmplifier
-Motor = DcMotor | IdealMotor | HydraulicMotor | HydraulicCylinder
-Transmission = Gear | ElasticGear | Linkage
+Motor = DcMotor | CurrentLoopMotor | IdealMotor | HydraulicMotor | HydraulicCylinder
+Transmission = Gear | Elastic | Linkage
 
 
 @frozen_dataclass
@@ -159,7 +164,7 @@ class Drive:
     amplifier: Amplifier
     motor: Motor
     transmission: Transmission
-    friction: Friction = Friction()
+    friction: FrictionLaw = Friction()
 
     def ratio_at(self, q: float) -> float:
         """Return G = speed of the motor over that of the joint, signed, where the joint is at q [rad | m]."""

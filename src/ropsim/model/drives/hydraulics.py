@@ -7,10 +7,13 @@ from ropsim.core import frozen_dataclass
 class HydraulicMotor:
     """A hydraulic motor, or a cylinder with two equal areas, at a symmetric servo valve with four edges.
 
-    The spool opens as x'' = ωn²·(i/i_r - x) - 2·ζ·ωn·x'. Each edge that is open lets Q = Q_r·|x|·√(2·Δp/Δp_r)
-    through, the fall of pressure Δp_r of data sheets being that of both edges. Each chamber has
-    p' = β/V·(Q - D·ω - leak), and the torque is D·(p_a - p_b) (H. E. Merritt, Hydraulic Control Systems,
-    Wiley 1967). Of a cylinder ω is its speed [m/s], the torque a force [N], D its area [m²].
+    The spool opens as x'' = ωn²·(i/i_r - x) - 2·ζ·ωn·x'. Each edge that is open lets Q = Q_r·|y|·√(2·Δp/Δp_r)
+    through, the fall of pressure Δp_r of data sheets being that of both edges; y is x, and with an overlap
+    what x is beyond it, (|x| - o)/(1 - o). With a null flow all edges leak, the less the more they are closed
+    (B. Eryilmaz, B. H. Wilson: Improved tracking control of hydraulic systems, ASME J. Dyn. Sys. Meas.
+    Control 123 (2001), 457-462). Each chamber has p' = β/V·(Q - D·ω - leak), and the torque is D·(p_a - p_b)
+    (H. E. Merritt: Hydraulic Control Systems, Wiley 1967). Of a cylinder ω is its speed [m/s], the torque a
+    force [N], D its area [m²].
 
     Attributes:
         displacement: D [m³/rad | m²].
@@ -26,6 +29,8 @@ class HydraulicMotor:
         natural_frequency: ωn of the spool [rad/s].
         damping_ratio: ζ of the spool.
         oil_density: [kg/m³], at which the flow is rated; no equation has it.
+        null_flow: Q_0 through the valve at its centre, from supply to return, at the fall Δp_r [m³/s].
+        overlap: o, the opening x at which the first edges open; 0 where they do so at the centre.
     """
 
     displacement: float
@@ -41,6 +46,8 @@ class HydraulicMotor:
     natural_frequency: float
     damping_ratio: float
     oil_density: float = 870.0
+    null_flow: float = 0.0
+    overlap: float = 0.0
 
 
 @frozen_dataclass
@@ -69,6 +76,8 @@ class HydraulicCylinder:
         natural_frequency: ωn of the spool [rad/s].
         damping_ratio: ζ of the spool.
         oil_density: [kg/m³], at which the flow is rated; no equation has it.
+        null_flow: Q_0 through the valve at its centre, from supply to return, at the fall Δp_r [m³/s].
+        overlap: o, the opening x at which the first edges open; 0 where they do so at the centre.
     """
 
     area_a: float
@@ -87,6 +96,8 @@ class HydraulicCylinder:
     natural_frequency: float
     damping_ratio: float
     oil_density: float = 870.0
+    null_flow: float = 0.0
+    overlap: float = 0.0
 
     @property
     def rotor_inertia(self) -> float:

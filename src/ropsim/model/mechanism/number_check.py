@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import fields
 from itertools import chain
-from math import isfinite
+from math import isfinite, nextafter
 from types import MappingProxyType
 from typing import Protocol
 
@@ -18,6 +18,7 @@ from ropsim.model.findings.number_range import (
     POSITIVE_OR_INFINITE,
     UP_TO_ZERO,
     ModelValueError,
+    NumberRange,
 )
 from ropsim.model.findings.place import Attribute, AuditPlace, PlaceOf, nowhere
 from ropsim.model.mechanism.links import Joint, JointType, Link
@@ -37,6 +38,7 @@ _RANGES_OF_DRIVES = MappingProxyType(
         "max_effort": POSITIVE_OR_INFINITE,
         "rotor_inertia": FROM_ZERO,
         "moving_mass": FROM_ZERO,
+        "backlash": POSITIVE,
     }
 )
 _RANGES_OF_JOINTS = MappingProxyType(
@@ -49,12 +51,20 @@ _RANGES_OF_JOINTS = MappingProxyType(
 )
 _SIGN = "friction resists: check the sign"
 _WIDTH = "give the speed of the joint over which its friction turns round"
+_PART = NumberRange(0.0, nextafter(1.0, 0.0), "0 or more and less than 1")
 _RANGES_OF_FRICTION = MappingProxyType(
     {
         "viscous": (FROM_ZERO, _SIGN),
         "coulomb_positive": (FROM_ZERO, _SIGN),
         "coulomb_negative": (UP_TO_ZERO, _SIGN),
         "smoothing_speed": (POSITIVE, _WIDTH),
+        "coulomb": (FROM_ZERO, _SIGN),
+        "breakaway": (FROM_ZERO, _SIGN),
+        "stribeck_speed": (POSITIVE, "give the speed of the motor over which its friction falls"),
+        "exponent": (POSITIVE, "2 is a Gaussian curve"),
+        "load_share": (_PART, "a gear that loses all of its load would not turn"),
+        "bristle_stiffness": (POSITIVE, "breakaway torque over the angle within which a motor sticks"),
+        "bristle_damping": (FROM_ZERO, "check the sign"),
     }
 )
 
@@ -271,7 +281,8 @@ def _bounded(number: int, name: str, value: float, place: Span | None) -> Iterat
 
 
 def _friction(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]:
-    for name, (allowed, hint) in _RANGES_OF_FRICTION.items():
+    for name in (field.name for field in fields(drive.friction)):
+        allowed, hint = _RANGES_OF_FRICTION[name]
         value = float(getattr(drive.friction, name))
         if not allowed.allows(value):
             yield kinds.UNUSABLE_DRIVE.at(

@@ -5,12 +5,14 @@ from math import inf
 
 from ropsim.model import (
     Amplifier,
+    BacklashGear,
     CurrentLimitedAmplifier,
+    CurrentLoopMotor,
     DcMotor,
     Drive,
     EffortAmplifier,
+    Elastic,
     ElasticGear,
-    Friction,
     Gear,
     IdealMotor,
     Joint,
@@ -21,11 +23,10 @@ from ropsim.model import (
 )
 from ropsim.nirox.diagnostics import LOST
 from ropsim.nirox.readers.attributes import LARGEST
+from ropsim.nirox.readers.frictions import read_friction
 from ropsim.nirox.readers.hydraulics import HYDRAULIC, Linkages, read_hydraulic
 from ropsim.nirox.readers.mechanism import Mechanism
 from ropsim.nirox.readers.seen import Seen
-
-_SIMPLE = "coulomb_viscous_friction"
 
 
 def read_drives(
@@ -98,7 +99,7 @@ def _drive(seen: Seen, linkages: Linkages, train: int, pair: int, number: int) -
     amplifier, motor = _motor(seen, train, at_input, number)
     if isinstance(transmission, Linkage) and seen.user(pair, "joint_elasticity", "pair") is not None:
         seen.note(LOST, through, "what the joint says of elasticity has no effect: oil is what gives way")
-    drive = Drive(amplifier, motor, transmission, _friction(seen, pair, ratio, number))
+    drive = Drive(amplifier, motor, transmission, read_friction(seen, pair, ratio, number))
     return drive if linkages.can_be(through, drive, number) else None
 
 
@@ -129,22 +130,36 @@ def _motor(seen: Seen, train: int, at_input: float, number: int) -> tuple[Amplif
         rotor + at_input if at_input else rotor,
     )
     most = seen.real(motor, "max_voltage"), seen.real(motor, "max_current")
+    loop = seen.user(motor, "current_controller", "motor")
+    if loop is not None:
+        seen.take(loop, "motor", number, "loop")
+        constants = (made.torque_constant, made.back_emf_constant, made.resistance, made.inductance)
+        looped = CurrentLoopMotor(*constants, made.rotor_inertia, *most, seen.real(loop, "bandwidth"))
+        told = seen.real(loop, "max_effort", made.torque_constant * most[1])
+        return EffortAmplifier(told), looped
     return (CurrentLimitedAmplifier(*most) if limits else VoltageAmplifier(*most)), made
 
 
-def _transmission(seen: Seen, through: int, pair: int, number: int) -> tuple[Gear | ElasticGear, float]:
+def _transmission(seen: Seen, through: int, pair: int, number: int) -> tuple[Gear | Elastic, float]:
     """Return the gear of a drive and the inertia at its input [kg·m² | kg]."""
     seen.take(through, "gear", number)
-    if seen.real(through, "efficiency") < 1.0 or seen.real(through, "backlash", 0.0):
-        seen.note(LOST, through, "efficiency and backlash have no effect")
+    if seen.real(through, "efficiency") < 1.0:
+        seen.note(LOST, through, "efficiency has no effect", "load_dependent_friction has")
     if seen.is_a(through, "screw_transmission"):
         return _elastic(seen, pair, 1.0 / _usable(seen, through, "lead"), number), 0.0
     ratio, at_input = _usable(seen, through, "ratio"), seen.real(through, "input_inertia")
+    gear: Gear | Elastic
     if seen.has(through, "stiffness"):
-        return ElasticGear(
-            ratio, seen.real(through, "stiffness"), seen.real(through, "damping", 0.0)
-        ), at_input
-    return _elastic(seen, pair, ratio, number), at_input
+        gear = ElasticGear(ratio, seen.real(through, "stiffness"), seen.real(through, "damping", 0.0))
+    else:
+        gear = _elastic(seen, pair, ratio, number)
+    backlash = seen.real(through, "backlash")
+    if not backlash:
+        return gear, at_input
+    if isinstance(gear, ElasticGear):
+        return BacklashGear(ratio, gear.stiffness, gear.damping, backlash), at_input
+    seen.note(LOST, through, "backlash of a rigid gear has no effect", "give its stiffness")
+    return gear, at_input
 
 
 def _usable(seen: Seen, number: int, name: str) -> float:
@@ -162,26 +177,3 @@ def _elastic(seen: Seen, pair: int, ratio: float, number: int) -> Gear | Elastic
         return Gear(ratio)
     seen.take(entry, "elasticity", number)
     return ElasticGear(ratio, seen.real(entry, "stiffness"), seen.real(entry, "damping"))
-
-
-def _friction(seen: Seen, pair: int, ratio: float, number: int) -> Friction:
-    """Return viscous and Coulomb friction at the motor; other models are taken without the rest of theirs."""
-    entry = seen.users(pair, "joint_friction", "pair")
-    if not entry:
-        return Friction()
-    one = entry[0]
-    seen.take(one, "friction", number)
-    for other in entry[1:]:
-        seen.note(LOST, other, "the joint has friction on both sides: this one has no effect")
-    if not seen.is_a(one, _SIMPLE):
-        seen.note(LOST, one, "only its viscous and its Coulomb part have an effect", f"use {_SIMPLE.upper()}")
-    viscous, positive = seen.real(one, "viscous"), seen.real(one, "coulomb")
-    negative = seen.real(one, "coulomb_negative", positive)
-    if seen.text(one, "side") == "joint_side":
-        viscous, positive, negative = viscous / ratio**2, positive / abs(ratio), negative / abs(ratio)
-    smoothing = Friction().smoothing_speed
-    companion = seen.user(one, "friction_smoothing", "friction")
-    if companion is not None:
-        seen.take(companion, "friction", number, "smoothing")
-        smoothing = seen.real(companion, "speed")
-    return Friction(viscous, positive, -negative, smoothing)

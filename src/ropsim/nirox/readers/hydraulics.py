@@ -33,8 +33,8 @@ def read_hydraulic(
     supply = seen.ref(valve, "supply")
     seen.take(valve, "amplifier", number)
     seen.take(supply, "amplifier", number, "supply")
-    if seen.real(valve, "overlap") or seen.real(valve, "hysteresis") or seen.has(valve, "max_slew"):
-        seen.note(LOST, valve, "overlap, hysteresis and `max_slew` have no effect")
+    if seen.real(valve, "hysteresis") or seen.has(valve, "max_slew"):
+        seen.note(LOST, valve, "hysteresis and `max_slew` have no effect")
     most = seen.real(valve, "max_input")
     common = {
         "leakage": seen.real(motor, "internal_leakage"),
@@ -47,6 +47,8 @@ def read_hydraulic(
         "natural_frequency": seen.real(valve, "natural_frequency"),
         "damping_ratio": seen.real(valve, "damping_ratio"),
         "oil_density": seen.real(supply, "oil_density"),
+        "null_flow": _null_flow(seen, valve, number),
+        "overlap": _overlap(seen, valve),
     }
     if seen.is_a(motor, "hydraulic_cylinder"):
         sizes = ("area_a", "area_b", "stroke", "dead_volume_a", "dead_volume_b", "moving_mass")
@@ -60,6 +62,28 @@ def read_hydraulic(
         **common,
     )
     return ValveAmplifier(most), made
+
+
+def _null_flow(seen: Seen, valve: int, number: int) -> float:
+    """Return the flow through a valve at its centre [m³/s]."""
+    companion = seen.user(valve, "valve_null_flow", "valve")
+    if companion is None:
+        return 0.0
+    seen.take(companion, "amplifier", number, "null flow")
+    flow, rated = seen.real(companion, "flow"), seen.real(valve, "rated_flow")
+    if flow >= rated:
+        raise seen.impossible(companion, f"`flow` is {flow:g} m³/s, allowed is less than the rated {rated:g}")
+    return flow
+
+
+def _overlap(seen: Seen, valve: int) -> float:
+    """Return the overlap of a valve; an underlap is no overlap, which is reported."""
+    overlap = seen.real(valve, "overlap")
+    if overlap >= 1.0:
+        raise seen.impossible(valve, f"`overlap` is {overlap:g}, allowed is less than 1")
+    if overlap < 0.0:
+        seen.note(LOST, valve, "an underlap has no effect", "say what flows at the centre: VALVE_NULL_FLOW")
+    return max(overlap, 0.0)
 
 
 class Linkages:

@@ -5,12 +5,13 @@ from math import inf
 
 from ropsim.core import Diagnostic
 from ropsim.model import (
+    BacklashGear,
     CurrentLimitedAmplifier,
+    CurrentLoopMotor,
     DcMotor,
     Drive,
     EffortAmplifier,
-    ElasticGear,
-    Friction,
+    Elastic,
     Gear,
     HydraulicCylinder,
     HydraulicMotor,
@@ -22,13 +23,13 @@ from ropsim.model import (
 )
 from ropsim.nirox.building import UNSET, Building, bounded
 from ropsim.nirox.diagnostics import LOST
+from ropsim.nirox.writers.frictions import write_friction
 from ropsim.nirox.writers.hydraulics import write_hydraulic, write_linkage
-from ropsim.part21 import TRUE, Enumeration, Reference, Value
+from ropsim.part21 import TRUE, Reference, Value
 
 _JOINED = (
     "take a DC motor at a voltage amplifier, or a hydraulic one whose valve gets its rated current at most"
 )
-MOTOR_SIDE = Enumeration("MOTOR_SIDE")
 
 
 def write_drives(building: Building, robot: RobotModel) -> None:
@@ -38,7 +39,7 @@ def write_drives(building: Building, robot: RobotModel) -> None:
         drive = drives.get(number)
         if drive is not None:
             _drive_train(building, robot, number, drive)
-            _friction(building, number, drive.friction)
+            write_friction(building, number, drive.friction)
         motion = (inf, inf, inf) if drive else (joint.max_speed, joint.max_acceleration, joint.max_jerk)
         limits = (*motion, joint.max_effort)
         if any(one != inf for one in limits):
@@ -72,7 +73,9 @@ def _joined(drive: Drive) -> bool:
             return False
         case _, HydraulicMotor() | HydraulicCylinder():
             return False
-    return isinstance(drive.amplifier, EffortAmplifier) is isinstance(drive.motor, IdealMotor)
+    return isinstance(drive.amplifier, EffortAmplifier) is isinstance(
+        drive.motor, IdealMotor | CurrentLoopMotor
+    )
 
 
 def _drive_train(building: Building, robot: RobotModel, number: int, drive: Drive) -> None:
@@ -87,12 +90,13 @@ def _drive_train(building: Building, robot: RobotModel, number: int, drive: Driv
     building.add(("drive", number), "DRIVE_TRAIN", f"drive {joint.name}", *ends, *limits, ())
 
 
-def _gear(building: Building, number: int, name: str, drive: Drive, gear: Gear | ElasticGear) -> Reference:
+def _gear(building: Building, number: int, name: str, drive: Drive, gear: Gear | Elastic) -> Reference:
     elastic: tuple[Value, Value] = (UNSET, UNSET)
-    if isinstance(gear, ElasticGear):
+    if isinstance(gear, Elastic):
         elastic = float(gear.stiffness), float(gear.damping)
-    at_input = 0.0 if isinstance(drive.motor, DcMotor | HydraulicMotor) else float(drive.motor.rotor_inertia)
-    values = (f"gear {name}", float(gear.ratio), 1.0, 0.0, *elastic, at_input)
+    at_input = float(drive.motor.rotor_inertia) if isinstance(drive.motor, IdealMotor) else 0.0
+    play = float(gear.backlash) if isinstance(gear, BacklashGear) else 0.0
+    values = (f"gear {name}", float(gear.ratio), 1.0, play, *elastic, at_input)
     return building.add(("gear", number), "GEAR_TRANSMISSION", *values)
 
 
@@ -102,26 +106,31 @@ def _motor(building: Building, number: int, name: str, drive: Drive) -> tuple[Re
     if isinstance(motor, HydraulicMotor | HydraulicCylinder):
         return write_hydraulic(building, number, name, motor)
     if isinstance(motor, DcMotor) and isinstance(amplifier, VoltageAmplifier | CurrentLimitedAmplifier):
-        constants = (motor.torque_constant, motor.back_emf_constant, motor.resistance, motor.inductance)
-        most = (motor.rotor_inertia, amplifier.max_voltage, amplifier.max_current)
-        numbers = map(float, (*constants, *most))
-        made = building.add(key, "DC_SERVO_MOTOR", f"motor {name}", *numbers, UNSET, UNSET, UNSET)
+        most = amplifier.max_voltage, amplifier.max_current
+        made = _dc_motor(building, number, name, motor, most)
         if not isinstance(amplifier, CurrentLimitedAmplifier):
             return made, UNSET
         label = f"amplifier {name}"
         return made, building.add(("amplifier", number), "ELECTRIC_AMPLIFIER", label, TRUE)
     effort = amplifier.max_effort if isinstance(amplifier, EffortAmplifier) else inf
+    if isinstance(motor, CurrentLoopMotor):
+        own = motor.torque_constant * motor.max_current
+        made = _dc_motor(building, number, name, motor, (motor.max_voltage, motor.max_current))
+        told = UNSET if effort == own else bounded(effort)
+        building.add((*key, "loop"), "CURRENT_CONTROLLER", made, float(motor.bandwidth), told)
+        return made, UNSET
     return building.add(key, "IDEAL_EFFORT_SOURCE", f"motor {name}", bounded(effort), UNSET), UNSET
 
 
-def _friction(building: Building, number: int, friction: Friction) -> None:
-    if friction == Friction():
-        return
-    positive, negative = float(friction.coulomb_positive), -float(friction.coulomb_negative)
-    second: Value = UNSET if negative == positive else negative
-    pair, key = building.at(("pair", number)), ("friction", number)
-    values = (pair, MOTOR_SIDE, float(friction.viscous), positive, second)
-    made = building.add(key, "COULOMB_VISCOUS_FRICTION", *values)
-    if friction.smoothing_speed != Friction().smoothing_speed:
-        speed = float(friction.smoothing_speed)
-        building.add((*key, "smoothing"), "FRICTION_SMOOTHING", made, speed)
+def _dc_motor(
+    building: Building,
+    number: int,
+    name: str,
+    motor: DcMotor | CurrentLoopMotor,
+    most: tuple[float, float],
+) -> Reference:
+    """Make a DC motor with its largest voltage and current."""
+    constants = (motor.torque_constant, motor.back_emf_constant, motor.resistance, motor.inductance)
+    numbers = map(float, (*constants, motor.rotor_inertia, *most))
+    heat = (UNSET, UNSET, UNSET)
+    return building.add(("motor", number), "DC_SERVO_MOTOR", f"motor {name}", *numbers, *heat)

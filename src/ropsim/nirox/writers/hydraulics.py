@@ -30,8 +30,10 @@ def write_hydraulic(building: Building, number: int, name: str, motor: Hydraulic
     key = ("amplifier", number)
     supply = building.add((*key, "supply"), "HYDRAULIC_SUPPLY", f"supply {name}", *map(float, pressures))
     flow = (motor.rated_flow, motor.rated_pressure_drop, motor.rated_input)
-    spool = (motor.natural_frequency, motor.damping_ratio, 0.0, 0.0)
+    spool = (motor.natural_frequency, motor.damping_ratio, motor.overlap, 0.0)
     valve = building.add(key, "SERVO_VALVE", f"valve {name}", supply, *map(float, (*flow, *spool)), UNSET)
+    if motor.null_flow:
+        building.add((*key, "null flow"), "VALVE_NULL_FLOW", valve, float(motor.null_flow))
     sizes: tuple[float, ...]
     if isinstance(motor, HydraulicCylinder):
         keyword, label = "HYDRAULIC_CYLINDER", f"cylinder {name}"

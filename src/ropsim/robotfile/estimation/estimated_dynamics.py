@@ -14,6 +14,7 @@ from ropsim.model import (
     ArmClass,
     Drive,
     EffortAmplifier,
+    Friction,
     Gear,
     IdealMotor,
     Joint,
@@ -183,9 +184,13 @@ def _which_masses(robot: RobotModel) -> str:
 
 
 def _is_stand_in(drive: Drive) -> bool:
-    """Return whether a drive has neither gear nor rotor: files with torque limits and friction only."""
+    """Return whether a drive has neither gear nor rotor: files with torque limits and friction only.
+
+    Friction that is more than viscous and Coulomb friction was identified, and is not to be replaced.
+    """
     is_direct = drive.transmission == Gear(1.0) and drive.motor == IdealMotor(0.0)
-    return isinstance(drive.amplifier, EffortAmplifier) and is_direct
+    is_plain = isinstance(drive.amplifier, EffortAmplifier) and isinstance(drive.friction, Friction)
+    return is_plain and is_direct
 
 
 def _known_frictions(robot: RobotModel) -> list[JointFriction]:

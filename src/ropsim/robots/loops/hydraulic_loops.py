@@ -10,7 +10,7 @@ an opening moves the axis fastest, ke the middle of the range.
 """
 
 from dataclasses import replace
-from math import pi
+from math import pi, sqrt
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from ropsim.kinematics import configurations
 from ropsim.model import (
     CascadedGains,
     Drive,
+    Hydraulic,
     HydraulicCylinder,
     HydraulicMotor,
     Linkage,
@@ -60,7 +61,8 @@ def hydraulic_crossover(robot: Mechanism, rates: Rates) -> float:
     axes, places = hydraulic_axes(robot), configurations(robot, SAMPLES)
     square = np.ix_(axes, axes)
     oils = np.array([[_oil(robot.drives[axis], float(q[axis])) for axis in axes] for q in places])
-    springs, leaks = np.sqrt(oils[:, :, 0]), oils[:, :, 1]
+    steeper = np.array([_steeper(robot.drives[axis]) for axis in axes])
+    springs, leaks = np.sqrt(oils[:, :, 0]), oils[:, :, 1] / steeper
     softest = max(
         float(np.linalg.eigvalsh(mass_matrix(robot, q)[square] / np.outer(spring, spring))[-1])
         for q, spring in zip(places, springs, strict=True)
@@ -76,12 +78,34 @@ def _oil(drive: Drive, q: float) -> tuple[float, float]:
     if isinstance(motor, HydraulicCylinder) and isinstance(gear, Linkage):
         a, b = motor.volumes(min(max(gear.out_at(q), 0.0), motor.stroke))
         spring = motor.bulk_modulus * (motor.area_a**2 / a + motor.area_b**2 / b)
-        leak = motor.bulk_modulus * motor.leakage * (1.0 / a + 1.0 / b)
+        leak = motor.bulk_modulus * _leakage(motor) * (1.0 / a + 1.0 / b)
     else:
         assert isinstance(motor, HydraulicMotor)
         oil = 2.0 * motor.bulk_modulus / motor.chamber_volume
-        spring, leak = oil * motor.displacement**2, oil * motor.leakage
+        spring, leak = oil * motor.displacement**2, oil * _leakage(motor)
     return spring * drive.ratio_at(q) ** 2, leak
+
+
+def _leakage(motor: Hydraulic) -> float:
+    """Return the leakage from chamber to chamber that damps as that of cylinder and valve do [m³/(s·Pa)].
+
+    At its centre a valve takes Q_0/√(Δp_r·(p_s - p_r)) from a chamber for each Pa; of two chambers with
+    opposite pressures half of that does the same between them.
+    """
+    if not motor.null_flow:
+        return motor.leakage
+    fall = motor.rated_pressure_drop * (motor.supply_pressure - motor.return_pressure)
+    return motor.leakage + 0.5 * motor.null_flow / sqrt(fall)
+
+
+def _steeper(drive: Drive) -> float:
+    """Return how much more of an opening a valve lets through at its centre than beyond, at the most.
+
+    Where edges leak, both edges of a chamber change the flow at the centre (H. E. Merritt, chapter 5: an open
+    centre).
+    """
+    assert isinstance(drive.motor, HydraulicMotor | HydraulicCylinder)
+    return 2.0 if drive.motor.null_flow else 1.0
 
 
 def _valve(drive: Drive) -> float:
@@ -117,6 +141,8 @@ def _per_speed(robot: Mechanism, axis: int) -> Array:
     drive, joint = robot.drives[axis], robot.axis_joints[axis]
     if isinstance(drive.motor, HydraulicCylinder):
         drive = replace(drive, motor=replace(drive.motor, leakage=0.0))
+    if isinstance(drive.motor, HydraulicMotor | HydraulicCylinder):
+        drive = replace(drive, motor=replace(drive.motor, null_flow=0.0, overlap=0.0))
     places = (
         np.linspace(joint.lower, joint.upper, PLACES) if isinstance(drive.transmission, Linkage) else [0.0]
     )

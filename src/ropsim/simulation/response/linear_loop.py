@@ -10,7 +10,7 @@ import numpy as np
 from ropsim.codegen import Engine, load
 from ropsim.controller import CompiledLaw, LawTraits, law_of
 from ropsim.dynamics import arm_numbers, barycentric, gravity, steady_drive, structure_of
-from ropsim.model import ControllerModel, Payload, RobotModel
+from ropsim.model import ControllerModel, Friction, Payload, RobotModel
 from ropsim.simulation.servo.plant_code import plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
 from ropsim.simulation.servo.state import StateLayout
@@ -115,7 +115,7 @@ def linear_loop(
 
 def _without_dry_friction(robot: RobotModel) -> RobotModel:
     drives = (
-        replace(one, friction=replace(one.friction, coulomb_positive=0.0, coulomb_negative=0.0))
+        replace(one, friction=Friction(one.friction.viscous, smoothing_speed=one.friction.smoothing_speed))
         for one in robot.drives
     )
     return replace(robot, drives=tuple(drives))

@@ -187,10 +187,10 @@ def _sides(drives: _Traced) -> list[tuple[str, Scalar]]:
     sides = sides_of(drives.tracer, drives.carried)
     n = len(sides)
     net = [
-        (f"side[{k}]", tau - friction)
-        for k, (tau, (friction, _)) in enumerate(zip(drives.tau, sides, strict=True))
+        (f"side[{k}]", tau - side.friction.under(tau))
+        for k, (tau, side) in enumerate(zip(drives.tau, sides, strict=True))
     ]
-    inertia = [(f"side[{n + k}]", inertia) for k, (_, inertia) in enumerate(sides)]
+    inertia = [(f"side[{n + k}]", side.inertia) for k, side in enumerate(sides)]
     return [*net, *inertia, *drives.rates("side")]
 
 

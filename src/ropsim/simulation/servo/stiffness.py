@@ -1,14 +1,17 @@
-"""Axes whose friction is too steep for the integration step: a light link on a joint with much friction."""
+"""Axes whose friction is too steep for the integration step: a light link on a joint with much friction.
+
+Friction with bristles holds a joint at rest as a spring k does: ẍ = -k/J·x decays or swings at √(k/J).
+"""
 
 from collections.abc import Iterator
 
 import numpy as np
 
 from ropsim.core import Diagnostic, frozen_dataclass
-from ropsim.dynamics import free_inertias, reflected_inertia
+from ropsim.dynamics import free_inertias, friction_steepness, reflected_inertia
 from ropsim.flow import Fidelity
 from ropsim.kinematics import configurations
-from ropsim.model import ROBOT, Cell, Drive, JointType, Rates, RobotModel
+from ropsim.model import ROBOT, Cell, JointType, Rates, RobotModel
 from ropsim.simulation.servo.diagnostics import STEEP_FRICTION
 from ropsim.simulation.servo.plant_steps import plant_steps_of
 from ropsim.spatial import Array
@@ -28,13 +31,15 @@ class SteepAxis:
         axis: its number, from 0.
         friction: slope of its friction over its speed, at rest [N·m·s/rad | N·s/m].
         inertia: the least that it moves while the other axes are free [kg·m² | kg].
-        product: d/J·dt of the two and the step; stable below `STABLE`.
+        product: d/J·dt of the two and the step, or √(k/J)·dt where that is greater; stable below `STABLE`.
+        bristles: stiffness k of the bristles [N·m/rad | N/m] where they set the product, else 0.
     """
 
     axis: int
     friction: float
     inertia: float
     product: float
+    bristles: float = 0.0
 
 
 def steep_axes(robot: RobotModel, rates: Rates) -> tuple[SteepAxis, ...]:
@@ -49,21 +54,22 @@ def steep_axes(robot: RobotModel, rates: Rates) -> tuple[SteepAxis, ...]:
     """
     step = rates.control_period / plant_steps_of(robot, rates)
     inertias = free_inertias(robot, configurations(robot, SAMPLES)).min(axis=0)
-    slopes = np.array([_slope(drive, q) for drive, q in zip(robot.drives, robot.home.tolist(), strict=True)])
-    products: Array = slopes / inertias * step
+    pairs = zip(robot.drives, robot.home.tolist(), strict=True)
+    slopes, springs = np.array([friction_steepness(drive, q) for drive, q in pairs]).T
+    swings: Array = np.sqrt(springs / inertias) * step
+    products: Array = np.maximum(slopes / inertias * step, swings)
     order = np.argsort(-products, kind="stable")
     return tuple(
-        SteepAxis(int(k), float(slopes[k]), float(inertias[k]), float(products[k]))
+        SteepAxis(
+            int(k),
+            float(slopes[k]),
+            float(inertias[k]),
+            float(products[k]),
+            float(springs[k]) if swings[k] == products[k] else 0.0,
+        )
         for k in order
         if not products[k] < STABLE
     )
-
-
-def _slope(drive: Drive, q: float) -> float:
-    """Return the slope of the friction at the joint over its speed, at rest: B·G² + |G|·Tc/v_s."""
-    ratio, friction = abs(drive.ratio_at(q)), drive.friction
-    dry = max(friction.coulomb_positive, -friction.coulomb_negative)
-    return ratio**2 * friction.viscous + (ratio * dry / friction.smoothing_speed if dry else 0.0)
 
 
 STEEP_HINT = "`ropsim robot estimate FILE robots/NEW.stp` adds rotors and gears; or raise `plant_steps`"
@@ -76,9 +82,13 @@ def steep_words(robot: RobotModel, steep: SteepAxis) -> str:
     inertia, friction = ("kg", "N·s/m") if slides else ("kg·m²", "N·m·s/rad")
     rotor = reflected_inertia(robot.drives[steep.axis], float(robot.home[steep.axis]))
     behind = "with its rotor" if rotor else "without a rotor"
+    against, rate = f"friction of {steep.friction:.3g} {friction}", "d/J·dt"
+    if steep.bristles:
+        unit = "N/m" if slides else "N·m/rad"
+        against, rate = f"bristles of {steep.bristles:.3g} {unit}", "√(k/J)·dt"
     return (
-        f"axis `{joint.name}` moves {steep.inertia:.3g} {inertia} {behind} against friction of "
-        f"{steep.friction:.3g} {friction}, d/J·dt is {steep.product:.3g}, stable is less than {STABLE:g}"
+        f"axis `{joint.name}` moves {steep.inertia:.3g} {inertia} {behind} against {against}, "
+        f"{rate} is {steep.product:.3g}, stable is less than {STABLE:g}"
     )
 
 

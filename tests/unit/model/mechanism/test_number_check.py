@@ -11,7 +11,21 @@ import pytest
 from ropsim import dynamics, robots
 from ropsim.core import SourceText
 from ropsim.exchange import read_mjcf, read_urdf
-from ropsim.model import Joint, Link, Mechanism, ModelValueError, Part, Payload, RobotModel, Tool
+from ropsim.model import (
+    Friction,
+    FrictionLaw,
+    Joint,
+    Link,
+    LoadFriction,
+    LugreFriction,
+    Mechanism,
+    ModelValueError,
+    Part,
+    Payload,
+    RobotModel,
+    StribeckFriction,
+    Tool,
+)
 from ropsim.robotfile import read_robot_file
 from ropsim.spatial import Array, Pose, frozen
 from support.cylinders import CYLINDER
@@ -142,7 +156,26 @@ def test_limits_of_drives_are_positive_and_rotors_weigh_something(
      {"coulomb_negative": -inf}, {"coulomb_positive": nan}],
 )  # fmt: skip
 def test_friction_resists(friction: dict[str, float]) -> None:
-    wrong = replace(PUMA.drives[0], friction=replace(PUMA.drives[0].friction, **friction))
+    wrong = replace(PUMA.drives[0], friction=replace(Friction(0.1, 0.2, -0.2), **friction))
+    assert refused(partial(replace, PUMA), drives=(wrong, *PUMA.drives[1:]))[0] == "X975"
+
+
+@pytest.mark.parametrize(
+    "law",
+    [
+        StribeckFriction(0.1, 0.2, 0.3, 0.0),
+        StribeckFriction(0.1, 0.2, nan, 1.0),
+        StribeckFriction(0.1, 0.2, 0.3, 1.0, exponent=0.0),
+        LoadFriction(0.1, -0.2, 0.1),
+        LoadFriction(0.1, 0.2, 1.0),
+        LoadFriction(0.1, 0.2, -0.1),
+        LugreFriction(0.1, 0.2, 0.3, 1.0, 0.0),
+        LugreFriction(0.1, 0.2, 0.3, 1.0, 10.0, -1.0),
+        LugreFriction(0.1, 0.2, 0.3, 1.0, 10.0, smoothing_speed=0.0),
+    ],
+)
+def test_every_law_of_friction_has_numbers_that_can_be(law: FrictionLaw) -> None:
+    wrong = replace(PUMA.drives[0], friction=law)
     assert refused(partial(replace, PUMA), drives=(wrong, *PUMA.drives[1:]))[0] == "X975"
 
 
@@ -301,7 +334,7 @@ def test_moments_that_are_all_negative_are_refused() -> None:
 
 def test_a_current_without_a_limit_and_a_joint_without_friction_are_possible() -> None:
     first = PUMA.drives[0]
-    still = replace(first.friction, viscous=0.0, coulomb_positive=0.0, coulomb_negative=0.0)
+    still = Friction()
     amplifier: Any = first.amplifier
     free = replace(first, amplifier=replace(amplifier, max_current=inf), friction=still)
     assert replace(PUMA, drives=(free, *PUMA.drives[1:])).drives[0] == free

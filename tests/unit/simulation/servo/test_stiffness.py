@@ -7,14 +7,25 @@ import numpy as np
 import pytest
 
 from ropsim import robots
-from ropsim.model import Drive, EffortAmplifier, Friction, Gear, IdealMotor, Link, Rates, RobotModel
+from ropsim.model import (
+    Drive,
+    EffortAmplifier,
+    Friction,
+    FrictionLaw,
+    Gear,
+    IdealMotor,
+    Link,
+    LugreFriction,
+    Rates,
+    RobotModel,
+)
 from ropsim.simulation.servo.stiffness import STABLE, steep_axes, steep_words
 
 RATES = Rates(plant_steps=2)
 STEP = 1.0 / 2000.0
 
 
-def one_axis(inertia: float, friction: Friction, rotor: float = 0.0) -> RobotModel:
+def one_axis(inertia: float, friction: FrictionLaw, rotor: float = 0.0) -> RobotModel:
     """Return the first axis of the two-link arm with a drive of ratio 1."""
     robot = robots.load("two_link")
     drive = Drive(EffortAmplifier(10.0), IdealMotor(rotor), Gear(1.0), friction)
@@ -34,6 +45,18 @@ def test_the_product_is_slope_over_inertia_times_step(friction: Friction, slope:
     assert (found.axis, found.friction) == (0, slope)
     assert found.inertia == pytest.approx(1e-4)
     assert found.product == pytest.approx(slope / 1e-4 * STEP)
+
+
+def test_bristles_hold_a_joint_as_a_spring_does() -> None:
+    """√(k/J)·dt, where that is more than d/J·dt; no dry friction is the only other one that has no slope."""
+    law = LugreFriction(0.001, 0.1, 0.2, 1.0, 4e4, 0.01)
+    (found,) = steep_axes(one_axis(1e-3, law), RATES)
+    assert found.product == pytest.approx((4e4 / 1e-3) ** 0.5 * STEP)
+    assert "against bristles of 4e+04 N·m/rad, √(k/J)·dt is 3.16" in steep_words(one_axis(1e-3, law), found)
+    assert not steep_axes(one_axis(1e-3, replace(law, bristle_stiffness=4e3)), RATES)
+    (damped,) = steep_axes(one_axis(1e-3, replace(law, bristle_damping=10.0)), RATES)
+    assert damped.bristles == 0.0
+    assert damped.product == pytest.approx(10.001 / 1e-3 * STEP)
 
 
 def test_rotors_and_shorter_steps_make_it_stable() -> None:
