@@ -35,7 +35,7 @@ _WORTH_ADDING = 5e-4
 """Share of its way from which on a sequence that was not fitted is added."""
 _MOST_FOR_LOOK_AHEAD = 6
 _ROUNDS = 3
-_FEW_STEPS = 4
+_FEW_STEPS, _SOME_STEPS = 4, 8
 _FEWEST = 3
 """Sequences on which look-aheads are tried together with limits."""
 _MISFIT = 1.5e-3
@@ -78,12 +78,13 @@ class Problem:
             settings = self.limits(free, settings)
         elif bound:
             few = [*bound[:: max(1, len(bound) // _FEWEST)][:_FEWEST], *free[:_FEWEST]]
-            settings = self._tried(few, coarse(among, known), settings, np.arange(len(settings.all)))
+            settings = self._tried(few, coarse(among, known), settings, np.arange(len(settings.all)), few)
         tried = bound[:: max(1, len(bound) // _MOST_FOR_LOOK_AHEAD)]
         likely = likely_look_aheads(self.replan, tried, settings, among)
         if len(likely) > 1:
             of_tool = np.arange(settings.joints.size, len(settings.all))
-            settings = self._tried(tried[:_FEWEST], likely, settings, of_tool)
+            judged = [*tried, *self.chosen(free)]
+            settings = self._tried(tried[:_FEWEST], likely, settings, of_tool, judged)
         look = best_look_ahead(self.replan, tried, settings, among, known)
         for _ in range(_ROUNDS):
             settings = self.limits(self.logged, with_look_ahead(settings, look.value))
@@ -180,11 +181,16 @@ class Problem:
         among: Sequence[LookAhead],
         begin: MotionSettings,
         free: npt.NDArray[np.intp],
+        judged: Sequence[LoggedSequence],
     ) -> MotionSettings:
-        """Return settings that fit a few sequences best, of fits with each of some look-aheads."""
-        found = [
-            refined(self.replan, few, with_look_ahead(begin, value), free, _FEW_STEPS) for value in among
-        ]
+        """Return settings of fits to a few sequences with each of some look-aheads: those that fit best.
+
+        Another look-ahead may be made up for by limits that others of the judged sequences speak against.
+        """
+        found = []
+        for value in among:
+            fit = refined(self.replan, few, with_look_ahead(begin, value), free, _SOME_STEPS)
+            found.append(Trial(fit.settings, fits_under(self.replan, judged, fit.settings)))
         return min(found, key=lambda trial: trial.error).settings
 
     def _groups(self, logged: LoggedSequence) -> tuple[int, ...]:
