@@ -56,7 +56,7 @@ def calibrate(
     along = [one.logged for one in fits_under(replan, logged, known) if one and one.goes_there]
     if not along:
         return None, (*findings, _nothing_compared(made))
-    problem = Problem(replan, tuple(orders), known, tuple(along))
+    problem = Problem(replan, station.robot, tuple(orders), known, tuple(along))
     found, look = problem.solve()
     used = problem.chosen(along)
     numbers = [one.number for one in used]

@@ -5,6 +5,8 @@ import numpy as np
 from ropsim.calibration.limits import ORDERS, MotionSettings
 from ropsim.calibration.logged_sequence import LoggedSequence
 from ropsim.calibration.replanning import difference
+from ropsim.kinematics import jacobians_at
+from ropsim.model import RobotModel
 from ropsim.planning import MotionPlan
 from ropsim.spatial import Array
 
@@ -12,6 +14,11 @@ RAISED = 1.1
 """Factor by which a limit is raised to see whether the motion is at it."""
 _NOISE, _LEAST = 3.0, 2e-5
 """By how much the joints are elsewhere then: a number of encoder steps, and a tolerance [rad | m]."""
+
+_PARTS = (slice(0, 3), slice(3, 6))
+"""Rows of the Jacobian for the TCP and for the orientation."""
+_OWN_SPEED = 1e-6
+"""Share by which the speed of a move differs from that of the controller if the program gives it."""
 
 
 def is_felt(logged: LoggedSequence, motion: MotionPlan, higher: MotionPlan) -> bool:
@@ -52,4 +59,27 @@ def largest(motion: MotionPlan, settings: MotionSettings) -> Array:
             share = np.ones_like(share)
         found = np.maximum(found, own.max(axis=1, initial=0.0) / share)
         found = np.maximum(found, shared.max(axis=1, initial=0.0))
+    return found
+
+
+def largest_of_tool(motion: MotionPlan, settings: MotionSettings, robot: RobotModel) -> Array:
+    """Return the largest speeds, accelerations and jerks of the tool in a motion, as limits: shape (3, 2).
+
+    They are those along a single move on a path of the tool [m, rad, by s, s², s³], divided by the shares of
+    the limits that the program allows; zeros for other motions. A speed that the program gives is not that of
+    the controller and counts as zero.
+    """
+    (move, *others), reference = motion.moves, motion.reference
+    if others or not move.on_tool_path or move.limits is None:
+        return np.zeros((ORDERS, 2))
+    _, J = jacobians_at(robot, reference.q, move.X_MT)
+    twist = np.einsum("kij,kj->ki", J, reference.qd)
+    speed = np.column_stack([np.linalg.norm(twist[:, part], axis=1) for part in _PARTS])
+    acceleration = np.diff(speed, axis=0, prepend=0.0) / motion.period
+    jerk = np.diff(acceleration, axis=0, prepend=0.0) / motion.period
+    found: Array = np.array([np.abs(one).max(axis=0) for one in (speed, acceleration, jerk)])
+    shares = np.array(move.limits.tool.all).reshape(2, ORDERS).T / settings.tool
+    found /= shares
+    if abs(shares[0, 0] - 1.0) > _OWN_SPEED:
+        found[0, 0] = 0.0
     return found

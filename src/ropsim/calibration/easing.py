@@ -11,6 +11,8 @@ from ropsim.spatial import Array
 
 _SAME = 4e-4
 """Share of its way by which a motion may change and count as the same."""
+_AS_LEFT = 3.0
+"""The same in terms of what is left of it, where that is more: planning is not smooth."""
 _SLACK = 0.97
 """Factor of all other limits under which a limit must be needed: they are known no better than that, and
 those that stay are refined afterwards."""
@@ -30,6 +32,9 @@ def eased(replan: Replan, known: MotionSettings, found: Trial) -> tuple[Trial, n
         found: limits that were fitted, with the motions under them.
     """
     before, logged = found.settings.all, [fit.logged for fit in found.fits if fit]
+    most = {
+        fit.logged.number: max(_SAME, _AS_LEFT * fit.left) * way_of(fit.logged) for fit in found.fits if fit
+    }
     away = np.abs(np.log(before / known.all))
     back = away <= _ROUNDING
     kept = []
@@ -44,7 +49,7 @@ def eased(replan: Replan, known: MotionSettings, found: Trial) -> tuple[Trial, n
         settings, others = (
             found.settings.with_all(_with_known(tight, known.all, one)) for one in (back, tried)
         )
-        if all(_is_same(replan, settings, others, one.number, way_of(one)) for one in logged):
+        if all(_is_same(replan, settings, others, number, apart) for number, apart in most.items()):
             back = tried
         else:
             kept.append(limit)
@@ -57,8 +62,8 @@ def _with_known(limits: Array, known: Array, back: npt.NDArray[np.bool_]) -> Arr
 
 
 def _is_same(
-    replan: Replan, settings: MotionSettings, others: MotionSettings, number: int, way: float
+    replan: Replan, settings: MotionSettings, others: MotionSettings, number: int, most: float
 ) -> bool:
-    """Return whether a sequence goes alike under two settings."""
+    """Return whether a sequence goes alike under two settings, up to a distance [rad | m]."""
     motion, other = replan(number, settings), replan(number, others)
-    return motion is None or (other is not None and difference(motion, other) <= _SAME * way)
+    return motion is None or (other is not None and difference(motion, other) <= most)

@@ -44,13 +44,17 @@ class LimitKnowledge:
     Attributes:
         kinds: how each is known.
         values: value or lower bound; 0 if not seen, shape (3n + 6,).
+        spreads: standard deviations of the logarithms of fitted and uncertain ones, so about shares of them;
+            infinite where others would do as well whatever its value is, and for all others, shape (3n + 6,).
     """
 
     kinds: tuple[Knowledge, ...]
     values: Array
+    spreads: Array
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "values", frozen(self.values))
+        for name in ("values", "spreads"):
+            object.__setattr__(self, name, frozen(getattr(self, name)))
 
 
 def felt(replan: Replan, logged: Sequence[LoggedSequence], settings: MotionSettings) -> npt.NDArray[np.intp]:
@@ -122,7 +126,9 @@ def knowledge(
         else:
             kinds.append(Knowledge.NOT_SEEN)
             least[limit] = 0.0
-    return LimitKnowledge(tuple(kinds), least)
+    every = np.full(len(limits), np.inf)
+    every[fitted] = spread
+    return LimitKnowledge(tuple(kinds), least, every)
 
 
 def _least_without_effect(

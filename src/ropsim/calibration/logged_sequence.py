@@ -4,9 +4,10 @@ import math
 
 import numpy as np
 
+from ropsim.calibration.departure import lateness
 from ropsim.calibration.replanning import coordinates
 from ropsim.calibration.trace.matching import Passage
-from ropsim.calibration.trace.rests import Rests
+from ropsim.calibration.trace.rests import SMOOTHING, Rests
 from ropsim.calibration.trace.trace import Trace
 from ropsim.planning import MotionPlan
 from ropsim.spatial import Array, frozen, record
@@ -32,15 +33,18 @@ class LoggedSequence:
         time: since its first sample here [s], shape (k,).
         q: joint coordinates [rad | m], shape (k, n); they begin and end where the program does.
         noise: of each axis [rad | m], shape (n,).
+        weights: of the samples: less where the robot is fast and times of samples are wrong, such that a
+            shift of the whole in time weighs as it does without them, shape (k,).
     """
 
     number: int
     time: Array
     q: Array
     noise: Array
+    weights: Array
 
     def __post_init__(self) -> None:
-        for name in ("time", "q", "noise"):
+        for name in ("time", "q", "noise", "weights"):
             object.__setattr__(self, name, frozen(getattr(self, name)))
 
     def crossings(self, q: Array) -> tuple[float, float]:
@@ -86,23 +90,53 @@ def logged_sequence(
     way = np.linalg.norm(np.diff(q, axis=0), axis=1)
     share = np.concatenate(([0.0], np.cumsum(way)))[:, None] / max(float(way.sum()), 1e-12)
     shifted = q - wrong[0] - share * (wrong[1] - wrong[0])
-    return LoggedSequence(number, trace.time[samples] - trace.time[first], shifted, rests.noise)
+    time = trace.time[samples] - trace.time[first]
+    return LoggedSequence(number, time, shifted, rests.noise, _weights(time, shifted, rests))
+
+
+def _weights(time: Array, q: Array, rests: Rests) -> Array:
+    """Return weights of samples whose positions and times have errors, shape (k,).
+
+    Along its way a sample has the variance of its position and that of its time times the square of the
+    speed; it weighs as much as this is small (Seber & Wild 2003, Nonlinear Regression, 2.8).
+
+    Args:
+        time: of the samples [s], shape (k,).
+        q: joint coordinates [rad | m], shape (k, n).
+        rests: with the noise of positions and times.
+    """
+    around = max(1, round(SMOOTHING / float(np.median(np.diff(time)))))
+    k = np.arange(len(time))
+    before, behind = np.maximum(k - around, 0), np.minimum(k + around, len(k) - 1)
+    speeds = (q[behind] - q[before]) / (time[behind] - time[before])[:, None]
+    squares = (speeds * speeds).sum(axis=1)
+    steps = np.maximum(rests.noise, 1e-9)
+    lates = ((rests.time_noise * speeds / steps) ** 2).sum(axis=1)
+    weights = 1.0 / np.sqrt(1.0 + lates)
+    weighed = float((weights * weights * squares).sum())
+    found: Array = weights * math.sqrt(float(squares.sum()) / weighed) if weighed > 0.0 else weights
+    return found
 
 
 def duration(logged: LoggedSequence, motion: MotionPlan, start: float) -> float:
     """Return how long a sequence lasted in the trace [s].
 
-    Its first and last hundredth are hidden by the steps of the encoders: there the duration of a fitted
-    planned motion is used; only the part between is measured.
+    Its ends are hidden by the steps of the encoders; both are found from the first steps that are seen, in
+    the trace and in a fitted planned motion alike, so that an error of the fit at its ends counts.
 
     Args:
         logged: the sequence.
         motion: that fits it.
         start: when that begins, on the times of the sequence [s].
     """
-    seen = logged.crossings(logged.q)
-    crossings_found = logged.crossings(coordinates(motion, logged.time - start))
-    return motion.duration + (seen[1] - seen[0]) - (crossings_found[1] - crossings_found[0])
+    planned = coordinates(motion, logged.time - start)
+    seen, made = logged.crossings(logged.q), logged.crossings(planned)
+    time, noise = logged.time, float(logged.noise.max())
+    begun = lateness(time, logged.q - motion.q_start, planned - motion.q_start, noise)
+    ended = lateness(-time[::-1], (logged.q - motion.q_end)[::-1], (planned - motion.q_end)[::-1], noise)
+    late = seen[0] - made[0] if begun is None else begun
+    early = made[1] - seen[1] if ended is None else ended
+    return motion.duration - late - early
 
 
 def _first(time: Array, way: Array, level: float) -> float:

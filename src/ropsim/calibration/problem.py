@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.calibration.easing import eased
+from ropsim.calibration.least_limits import least_limits
 from ropsim.calibration.limits import MotionSettings
 from ropsim.calibration.logged_sequence import LoggedSequence
 from ropsim.calibration.look_ahead import (
@@ -17,12 +18,11 @@ from ropsim.calibration.look_ahead import (
     likely_look_aheads,
     with_look_ahead,
 )
-from ropsim.calibration.ptp_limits import least_joint_limits
 from ropsim.calibration.refining import Trial, fits_under, refined
 from ropsim.calibration.replanning import Replan
 from ropsim.core import frozen_dataclass
 from ropsim.flow import MotionKind
-from ropsim.model import LookAhead
+from ropsim.model import LookAhead, RobotModel
 from ropsim.planning import MotionSequence
 
 _MOST_FITTED = 12
@@ -35,11 +35,14 @@ _WORTH_ADDING = 5e-4
 """Share of its way from which on a sequence that was not fitted is added."""
 _MOST_FOR_LOOK_AHEAD = 6
 _ROUNDS = 3
-_FEW_STEPS = 4
+_FEW_STEPS, _SOME_STEPS = 4, 8
 _FEWEST = 3
 """Sequences on which look-aheads are tried together with limits."""
-_MISFIT = 4e-4
-"""Share of the way beside noise, root of the mean square, from which on other beginnings are tried."""
+_MISFIT = 1.5e-3
+"""Share of the way beside noise, root of the mean square, from which on other beginnings are tried.
+
+Planning is not smooth: a limit that changes by some thousandths may change a motion that joints slow down
+by a thousandth of its way."""
 _RISE = 1.4
 """Factor of all limits in one of them."""
 _OTHER_RAMPS = np.array([1.0, 0.5, 2.0])
@@ -52,12 +55,14 @@ class Problem:
 
     Attributes:
         replan: plans the sequences.
+        robot: the arm.
         orders: all sequences of the program.
         known: limits of the project.
         logged: sequences that the trace has and that go along their planned paths.
     """
 
     replan: Replan
+    robot: RobotModel
     orders: tuple[MotionSequence, ...]
     known: MotionSettings
     logged: tuple[LoggedSequence, ...]
@@ -73,12 +78,13 @@ class Problem:
             settings = self.limits(free, settings)
         elif bound:
             few = [*bound[:: max(1, len(bound) // _FEWEST)][:_FEWEST], *free[:_FEWEST]]
-            settings = self._tried(few, coarse(among, known), settings, np.arange(len(settings.all)))
+            settings = self._tried(few, coarse(among, known), settings, np.arange(len(settings.all)), few)
         tried = bound[:: max(1, len(bound) // _MOST_FOR_LOOK_AHEAD)]
         likely = likely_look_aheads(self.replan, tried, settings, among)
         if len(likely) > 1:
             of_tool = np.arange(settings.joints.size, len(settings.all))
-            settings = self._tried(tried[:_FEWEST], likely, settings, of_tool)
+            judged = [*tried, *self.chosen(free)]
+            settings = self._tried(tried[:_FEWEST], likely, settings, of_tool, judged)
         look = best_look_ahead(self.replan, tried, settings, among, known)
         for _ in range(_ROUNDS):
             settings = self.limits(self.logged, with_look_ahead(settings, look.value))
@@ -132,13 +138,19 @@ class Problem:
         return best
 
     def _begins(self, used: Sequence[LoggedSequence], settings: MotionSettings) -> list[MotionSettings]:
-        """Return given limits, and those with joint limits that PTP moves tell, as few as these need."""
+        """Return given limits, and those that simple sequences tell, as few as these need.
+
+        They are sequences of PTP moves, and these with those of a single move on a path of the tool.
+        """
         of_joints = [one for one in used if self._groups(one) == (0,)]
-        if not of_joints:
-            return [settings]
-        least = least_joint_limits(self.replan, of_joints, settings)
-        told, _ = eased(self.replan, settings, Trial(least, fits_under(self.replan, of_joints, least)))
-        return [settings, told.settings]
+        simple = [one for one in used if one in of_joints or len(self.orders[one.number].moves) == 1]
+        found = [settings]
+        for some in (of_joints, simple) if len(simple) > len(of_joints) else (of_joints,):
+            if some:
+                least = least_limits(self.replan, self.robot, some, settings)
+                told, _ = eased(self.replan, settings, Trial(least, fits_under(self.replan, some, least)))
+                found.append(told.settings)
+        return found
 
     def _worst(self, others: Sequence[LoggedSequence], best: Trial) -> list[LoggedSequence]:
         """Return the sequences that fit worst, where that is worse than those do that were fitted."""
@@ -169,11 +181,16 @@ class Problem:
         among: Sequence[LookAhead],
         begin: MotionSettings,
         free: npt.NDArray[np.intp],
+        judged: Sequence[LoggedSequence],
     ) -> MotionSettings:
-        """Return settings that fit a few sequences best, of fits with each of some look-aheads."""
-        found = [
-            refined(self.replan, few, with_look_ahead(begin, value), free, _FEW_STEPS) for value in among
-        ]
+        """Return settings of fits to a few sequences with each of some look-aheads: those that fit best.
+
+        Another look-ahead may be made up for by limits that others of the judged sequences speak against.
+        """
+        found = []
+        for value in among:
+            fit = refined(self.replan, few, with_look_ahead(begin, value), free, _SOME_STEPS)
+            found.append(Trial(fit.settings, fits_under(self.replan, judged, fit.settings)))
         return min(found, key=lambda trial: trial.error).settings
 
     def _groups(self, logged: LoggedSequence) -> tuple[int, ...]:

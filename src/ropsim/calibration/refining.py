@@ -21,7 +21,9 @@ _MOST_DAMPING = 10.0
 _LARGEST_STEP = 0.4
 """Change of the logarithm of a limit in one step at most."""
 _ENOUGH = 0.03
-"""Improvement of the squared error below which the steps end."""
+"""Improvement of the squared error, as a share of what of it is not noise, below which the steps end."""
+_SWEEPS, _STILL = 200, 1e-6
+"""Sweeps over all coordinates at most, and the change of the logarithm of a limit that is none."""
 _LEAPS = (0.4, 0.12, 0.04)
 """Changes of the logarithm of a single limit that are tried where steps of all together do not help."""
 FITS_WELL = 4e-5
@@ -59,6 +61,11 @@ class Trial:
         return math.sqrt(sum(fit.left**2 if fit else np.inf for fit in self.fits) / max(len(self.fits), 1))
 
     @property
+    def excess(self) -> float:
+        """Return what of the error is more than noise that differs from sample to sample."""
+        return self.error - sum((fit.noise / way_of(fit.logged)) ** 2 if fit else 0.0 for fit in self.fits)
+
+    @property
     def is_good(self) -> bool:
         """Return whether nothing is left to fit."""
         return self.left <= FITS_WELL
@@ -90,8 +97,9 @@ def refined(
     """Return settings whose free limits fit all sequences together, with the motions under them.
 
     Levenberg-Marquardt (Marquardt 1963) on the logarithms of the limits. A limit that a motion just reaches
-    acts only downward, so each has the slope of the side to which it goes. Where no common step helps, single
-    limits are tried farther away: limits that nothing reaches have no slope.
+    acts only downward, and some act upward only together, so steps are sums of what limits do on either side,
+    and some of them together. Where no such step helps, single limits are tried farther away: limits that
+    nothing reaches have no slope.
 
     Args:
         replan: plans the sequences.
@@ -105,13 +113,13 @@ def refined(
     for _ in range(rounds if len(free) and logged and np.isfinite(best.error) else 0):
         if best.is_good:
             break
-        before = best.error
+        enough = best.error - _ENOUGH * max(best.excess, 0.0)
         found, damping = _stepped(replan, logged, best, free, damping)
-        if found.error > (1.0 - _ENOUGH) * before and leaps:
+        if found.error > enough and leaps:
             found = _leapt(replan, logged, found, free, leaps.pop(0))
             damping = _DAMPING
         best = found
-        if best.error > (1.0 - _ENOUGH) * before and not leaps:
+        if best.error > enough and not leaps:
             break
     return best
 
@@ -125,10 +133,11 @@ def _stepped(
 ) -> tuple[Trial, float]:
     """Return a better trial by a step of all limits, the same one where there is none, and the damping."""
     slopes = LimitSlopes(replan, [fit for fit in best.fits if fit], free)
+    ways, along = slopes.directions()
     for _ in range(_TRIALS):
-        step = np.clip(_step(slopes, damping), -_LARGEST_STEP, _LARGEST_STEP)
+        step = ways @ _least_squares(along, slopes.wrong, damping)
         limits = best.settings.all
-        limits[free] *= np.exp(step)
+        limits[free] *= np.exp(np.clip(step, -_LARGEST_STEP, _LARGEST_STEP))
         trial = _tried(replan, logged, best.settings.with_all(limits))
         if trial.error < best.error:
             return trial, max(damping / 6.0, 1e-7)
@@ -138,20 +147,24 @@ def _stepped(
     return best, damping
 
 
-def _step(slopes: LimitSlopes, damping: float) -> Array:
-    """Return the change of the logarithms of limits, each by the slope of the side to which it goes."""
-    size = (slopes.down**2).sum(axis=0)
-    ridge = np.diag(damping * size + 1e-9 * float(size.max(initial=0.0)) + 1e-300)
-    rises = np.zeros(len(size), dtype=np.bool_)
-    step = np.zeros(len(size))
-    for _ in range(4):
-        J = np.where(rises, slopes.up, slopes.down)
-        step = np.linalg.solve(J.T @ J + ridge, J.T @ slopes.wrong)
-        if bool(((step > 0.0) == rises).all()):
+def _least_squares(A: Array, b: Array, damping: float) -> Array:
+    """Return x >= 0 for which A x is nearest to b, damped, shape (m,).
+
+    One coordinate after the other (Franc, Hlavac & Navara 2005, Sequential coordinate-wise algorithm for the
+    non-negative least squares problem).
+    """
+    G, g = A.T @ A, A.T @ b
+    size = np.diag(G)
+    ridge = damping * size + 1e-9 * float(size.max(initial=0.0)) + 1e-300
+    G = G + np.diag(ridge)
+    x = np.zeros(len(g))
+    for _ in range(_SWEEPS):
+        before = x.copy()
+        for one in range(len(x)):
+            x[one] = max(0.0, x[one] + (g[one] - G[one] @ x) / G[one, one])
+        if float(np.abs(x - before).max(initial=0.0)) < _STILL:
             break
-        rises = step > 0.0
-        slopes.rise(np.flatnonzero(rises))
-    return step
+    return x
 
 
 def _leapt(
@@ -203,12 +216,12 @@ def spreads(
         free: numbers of the limits, in the order of `all`.
     """
     fits = [fit for fit in fits_under(replan, logged, settings) if fit is not None]
-    typical = math.sqrt(sum(fit.error**2 for fit in fits) / max(len(fits), 1))
+    typical = math.sqrt(sum(fit.misfit**2 for fit in fits) / max(len(fits), 1))
     A = np.zeros((len(free), len(free)))
     for fit in fits:
         columns = LimitSlopes(replan, [fit], free).down * (way_of(fit.logged) * math.sqrt(fit.logged.q.size))
         rounding = _ROUNDED * float(fit.logged.noise.max())
-        error = max(fit.error, typical, rounding)
+        error = max(fit.misfit, typical, rounding)
         alike = min(len(columns), _ROUNDED_ALIKE) if error <= _AT_ROUNDING * rounding else len(columns)
         A += columns.T @ columns / (alike * error**2)
     certain = np.linalg.pinv(A, rcond=_NO_EFFECT, hermitian=True) if len(free) else A

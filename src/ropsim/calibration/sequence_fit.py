@@ -30,7 +30,8 @@ class SequenceFit:
         motion: it under them.
         start: when it begins, on the times of the sequence [s].
         error: of the joints, root of the mean square [rad | m].
-        noise: the part of it that differs from sample to sample, as wrong times of samples do [rad | m].
+        misfit: the same of the weighted samples [rad | m].
+        noise: the part of that that differs from sample to sample, as wrong times of samples do [rad | m].
     """
 
     logged: LoggedSequence
@@ -38,17 +39,18 @@ class SequenceFit:
     motion: MotionPlan
     start: float
     error: float
+    misfit: float
     noise: float
 
     @property
     def left(self) -> float:
         """Return the error without noise as a share of the way: that of limits, which is smooth."""
-        return math.sqrt(max(self.error**2 - _NOISE * self.noise**2, 0.0)) / way_of(self.logged)
+        return math.sqrt(max(self.misfit**2 - _NOISE * self.noise**2, 0.0)) / way_of(self.logged)
 
     @property
     def share(self) -> float:
-        """Return the error as a share of the way: about half the share by which times are wrong."""
-        return self.error / way_of(self.logged)
+        """Return the misfit as a share of the way: about half the share by which times are wrong."""
+        return self.misfit / way_of(self.logged)
 
     @property
     def goes_there(self) -> bool:
@@ -79,9 +81,10 @@ def placed(logged: LoggedSequence, settings: MotionSettings, motion: MotionPlan)
     start = _halfway(logged.time, logged.q, logged.noise) - _halfway(
         rows, coordinates(motion, rows), np.zeros(len(logged.noise))
     )
+    weights = logged.weights[:, None]
     for _ in range(8):
-        wrong = logged.q - coordinates(motion, logged.time - start)
-        slope = speeds(motion, logged.time - start)
+        wrong = weights * (logged.q - coordinates(motion, logged.time - start))
+        slope = weights * speeds(motion, logged.time - start)
         weight = float((slope * slope).sum())
         if weight == 0.0:
             break
@@ -90,9 +93,10 @@ def placed(logged: LoggedSequence, settings: MotionSettings, motion: MotionPlan)
         if abs(step) < 1e-6:
             break
     wrong = logged.q - coordinates(motion, logged.time - start)
-    jumps = np.diff(wrong, axis=0)
-    error, noise = (math.sqrt(float(np.mean(one * one))) for one in (wrong, jumps))
-    return SequenceFit(logged, settings, motion, start, error, noise / math.sqrt(2.0))
+    weighed = weights * wrong
+    jumps = np.diff(weighed, axis=0) / math.sqrt(2.0)
+    error, misfit, noise = (math.sqrt(float(np.mean(one * one))) for one in (wrong, weighed, jumps))
+    return SequenceFit(logged, settings, motion, start, error, misfit, noise)
 
 
 def _halfway(time: Array, q: Array, noise: Array) -> float:

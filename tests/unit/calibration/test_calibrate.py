@@ -212,7 +212,7 @@ def test_longer_pauses_between_the_motions_change_nothing() -> None:
     assert found is not None
     assert found.after.look_ahead == settings.look_ahead
     lasts = [one.logged for one in before.sequences]
-    assert [one.logged for one in found.sequences] == pytest.approx(lasts, rel=1e-6)  # rounding of times
+    assert [one.logged for one in found.sequences] == pytest.approx(lasts, rel=2e-5)  # weights of samples
     assert found.after.all == pytest.approx(before.after.all, rel=NEAR)
 
 

@@ -9,6 +9,8 @@ OF_CHAINS = 0.03
 IN_ALL = 0.01
 HELD_OUT = 0.03
 """Shares of time."""
+MEASURED = 0.001
+"""By which the stated error may be less than the true one: what encoders of 0.002° at 125 Hz leave open."""
 
 
 @pytest.mark.slow
@@ -25,6 +27,7 @@ def test_times_of_a_twin_with_unknown_limits_come_out(seed: int) -> None:
     assert abs(own.in_all) <= IN_ALL
     assert found.left_out == ()
     assert abs(found.in_all) <= IN_ALL
+    assert found.remaining >= float(np.sqrt(np.mean(own.of_each**2))) - MEASURED
     other = errors(random_site(random), true, found.after)
     assert abs(other.in_all) <= HELD_OUT
     assert abs(errors(made, true, known_settings(made)).in_all) > IN_ALL

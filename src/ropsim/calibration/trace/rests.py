@@ -3,6 +3,7 @@
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.calibration.trace.time_stamps import time_noise
 from ropsim.calibration.trace.trace import Trace
 from ropsim.spatial import Array, frozen, record
 
@@ -29,11 +30,13 @@ class Rests:
         spans: numbers of the first and of the last sample of each, m of them.
         q: where it is [rad | m], shape (m, n).
         noise: of each axis at rest [rad | m], shape (n,).
+        time_noise: standard deviation of the times of samples from those they name [s].
     """
 
     spans: tuple[tuple[int, int], ...]
     q: Array
     noise: Array
+    time_noise: float = 0.0
 
     def __post_init__(self) -> None:
         for name in ("q", "noise"):
@@ -60,7 +63,7 @@ def rests_of(trace: Trace) -> Rests:
     speeds, floor = _speeds(trace, noise)
     spans = _valleys(speeds, floor)
     q = np.array([trace.q[first : last + 1].mean(axis=0) for first, last in spans])
-    return Rests(tuple(spans), q, noise)
+    return Rests(tuple(spans), q, noise, time_noise(trace))
 
 
 def _noise(q: Array) -> Array:

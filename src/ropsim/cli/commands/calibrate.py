@@ -124,6 +124,9 @@ def _limit_entry(calibration: Calibration, number: int) -> dict[str, object]:
     }
     if kind is Knowledge.AT_LEAST:
         entry["at_least"] = float(calibration.known.values[number])
+    if kind is Knowledge.UNCERTAIN:
+        spread = float(calibration.known.spreads[number])
+        entry["deviation"] = spread if math.isfinite(spread) else None
     return entry
 
 

@@ -13,6 +13,12 @@ from ropsim.views import Style, TableCell, Tone, columns_text
 _SHOWN_LINES = 20
 _COLUMNS = 80
 _WORTH_MARKING = 0.02
+_DEVIATIONS = 2.0
+"""Standard deviations by which an uncertain limit may be another one."""
+_WORTH_SAYING = 0.1
+"""Share from which on that is said."""
+_OPEN = 1.0
+"""Share of a limit from which on it may have any value."""
 _POWERS = ("/s", "/s²", "/s³")
 _TURN, _SLIDE = (math.degrees(1.0), "°"), (1e3, "mm")
 _OF_TOOL = (("path", _SLIDE), ("orientation", _TURN))
@@ -128,7 +134,36 @@ def _limits(calibration: Calibration, axes: Sequence[JointType], style: Style) -
         Knowledge.AT_LEAST: f"{calibration.after.look_ahead.moves} (the trace would be the same with more)",
         Knowledge.NOT_SEEN: f"{calibration.after.look_ahead.moves} (the trace does not tell)",
     }[calibration.look_ahead]
-    return [*columns_text(title, rows, style), f"look-ahead   {look}"]
+    return [*columns_text(title, rows, style), f"look-ahead   {look}", *_not_told(calibration)]
+
+
+def _not_told(calibration: Calibration) -> list[str]:
+    """Return the limits that act in the trace and have no certain value, and what would tell them."""
+    known, n = calibration.known, len(calibration.axes)
+    names = [f"{word} of joint {name}" for word in _WORDS for name in calibration.axes]
+    names += [f"{word} of the {name}" for word in _WORDS for name in ("path", "orientation")]
+    open_ones = [
+        number
+        for number, kind in enumerate(known.kinds)
+        if kind is Knowledge.UNCERTAIN and _DEVIATIONS * known.spreads[number] > _WORTH_SAYING
+    ]
+    if not open_ones:
+        return []
+    advice = [
+        text
+        for is_asked, text in (
+            (any(one < 3 * n for one in open_ones), "long and short moves of these joints"),
+            (any(one >= 3 * n and (one - 3 * n) % 2 == 0 for one in open_ones), "lines of all lengths"),
+            (
+                any(one >= 3 * n and (one - 3 * n) % 2 == 1 for one in open_ones),
+                "lines on which the tool turns",
+            ),
+        )
+        if is_asked
+    ]
+    said = ", ".join(names[number] for number in open_ones)
+    text = f"not told     {said}: log {' and '.join(advice)} to know them; other programs may need them"
+    return wrap(text, _COLUMNS, subsequent_indent=" " * 13)
 
 
 _WORDS = ("speed", "acceleration", "jerk")
@@ -145,13 +180,19 @@ def _limit_row(
             case Knowledge.FITTED:
                 cells.append(TableCell(f"{_figure(old)} → {_figure(new)}"))
             case Knowledge.UNCERTAIN:
-                cells.append(TableCell(f"{_figure(old)} → ~{_figure(new)}", Tone.WARNING))
+                share = _about(float(known.spreads[number]))
+                cells.append(TableCell(f"{_figure(old)} → ~{_figure(new)}{share}", Tone.WARNING))
             case Knowledge.AT_LEAST:
                 changed = f"{_figure(old)} → {_figure(new)}" if new > old * 1.001 else _figure(old)
                 cells.append(TableCell(f"{changed} (≥ {_figure(value)})"))
             case Knowledge.NOT_SEEN:
                 cells.append(TableCell("not seen", Tone.QUIET))
     return tuple(cells)
+
+
+def _about(spread: float) -> str:
+    """Return two standard deviations in per cent; nothing where a limit may have any value."""
+    return f" ±{max(round(100.0 * _DEVIATIONS * spread), 1)} %" if _DEVIATIONS * spread < _OPEN else ""
 
 
 def _figure(value: float) -> str:

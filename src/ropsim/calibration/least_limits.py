@@ -1,15 +1,16 @@
-"""Joint limits that PTP moves tell, each motion sequence alone first."""
+"""Limits that simple motion sequences tell, each alone first."""
 
 import math
 from collections.abc import Sequence
 
 import numpy as np
 
-from ropsim.calibration.demands import largest
+from ropsim.calibration.demands import largest, largest_of_tool
 from ropsim.calibration.limits import ORDERS, MotionSettings
 from ropsim.calibration.logged_sequence import LoggedSequence
 from ropsim.calibration.replanning import Replan, coordinates, speeds
 from ropsim.calibration.sequence_fit import SequenceFit, placed
+from ropsim.model import RobotModel
 from ropsim.spatial import Array
 
 _STEP = 0.03
@@ -25,35 +26,42 @@ _ALL_AGAIN = 4
 _ENOUGH = 1e-3
 """Improvement of the error below which a fit has ended."""
 _STANDS = 1e-3
-"""Share of its limit up to which an axis counts as standing."""
+"""Share of its limit up to which an axis or the tool counts as standing."""
 
 
-def least_joint_limits(
-    replan: Replan, logged: Sequence[LoggedSequence], known: MotionSettings
+def least_limits(
+    replan: Replan, robot: RobotModel, logged: Sequence[LoggedSequence], known: MotionSettings
 ) -> MotionSettings:
-    """Return the least joint limits that allow PTP sequences as they are in the trace.
+    """Return the least limits that allow simple sequences as they are in the trace.
 
-    What a joint does in any of them its limit allows, and under the largest of that over all sequences none
-    of them can be quicker than it was: each goes as in the trace. Limits of joints that stand are the known
-    ones.
+    What a joint or the tool does in any of them its limit allows, and under the largest of that over all
+    sequences none of them can be quicker than it was: each goes as in the trace. Limits of what stands are
+    the known ones.
 
     Args:
         replan: plans the sequences.
-        logged: sequences of PTP moves.
+        robot: the arm.
+        logged: sequences of PTP moves, and of a single move on a path of the tool.
         known: limits before.
     """
-    fits = [fit for one in logged if (fit := fit_of_joints(replan, one, known))]
-    asked = [largest(fit.motion, fit.settings) for fit in fits]
-    least = np.max([np.zeros_like(known.joints), *asked], axis=0)
-    joints = np.where(least > _STANDS * known.joints, least, known.joints)
-    return MotionSettings(joints, known.tool, known.look_ahead)
+    fits = [fit for one in logged if (fit := fit_alone(replan, one, known))]
+    joints = [largest(fit.motion, fit.settings) for fit in fits]
+    tool = [largest_of_tool(fit.motion, fit.settings, robot) for fit in fits]
+    return MotionSettings(_least(joints, known.joints), _least(tool, known.tool), known.look_ahead)
 
 
-def fit_of_joints(replan: Replan, logged: LoggedSequence, settings: MotionSettings) -> SequenceFit | None:
-    """Return the fit of a sequence of PTP moves alone, None where it cannot be planned.
+def _least(asked: Sequence[Array], known: Array) -> Array:
+    """Return the largest of what was asked, and what is known where next to nothing was."""
+    least = np.max([np.zeros_like(known), *asked], axis=0)
+    return np.where(least > _STANDS * known, least, known)
+
+
+def fit_alone(replan: Replan, logged: LoggedSequence, settings: MotionSettings) -> SequenceFit | None:
+    """Return the fit of a simple sequence alone, None where it cannot be planned.
 
     Its joints go together, so one speed, one acceleration and one jerk along its path determine it, whichever
-    joints they are of: Levenberg-Marquardt (Marquardt 1963) on the logarithms of common factors of all.
+    joints they are of, or of the tool: Levenberg-Marquardt (Marquardt 1963) on the logarithms of common
+    factors of all.
 
     Args:
         replan: plans the sequence.
@@ -65,20 +73,20 @@ def fit_of_joints(replan: Replan, logged: LoggedSequence, settings: MotionSettin
     factors = np.zeros(ORDERS)
     for begin in _beginnings(replan, logged, settings):
         found = _fit_at(replan, logged, settings, begin)
-        if found and (best is None or found.error < best.error):
+        if found and (best is None or found.misfit < best.misfit):
             best, factors = found, begin
     damping = 1e-3
     tried = free
     for number in range(_ROUNDS if best else 0):
         assert best is not None
-        if best.error <= _IN_NOISE * float(np.sqrt(np.mean(logged.noise**2))):
+        if best.misfit <= _IN_NOISE * float(np.sqrt(np.mean(logged.noise**2))):
             break
         tried = free if number % _ALL_AGAIN == 0 else tried
         improved = _improved(replan, settings, best, factors, tried, damping)
         if improved is None:
             break
         found, factors, damping, tried = improved
-        gained = 1.0 - found.error / max(best.error, 1e-300)
+        gained = 1.0 - found.misfit / max(best.misfit, 1e-300)
         best = found
         if gained < _ENOUGH:
             break
@@ -100,7 +108,8 @@ def _improved(
     J, seen = _slopes(replan, settings, best, factors, free)
     if not seen:
         return None
-    wrong = (best.logged.q - coordinates(best.motion, best.logged.time - best.start)).ravel()
+    away = best.logged.q - coordinates(best.motion, best.logged.time - best.start)
+    wrong = (best.logged.weights[:, None] * away).ravel()
     A, b = J.T @ J, J.T @ wrong
     least = 1e-12 * float(np.trace(A)) + 1e-300
     for _ in range(_TRIALS):
@@ -110,7 +119,7 @@ def _improved(
             trial[seen] + np.clip(step, -_LARGEST_STEP, _LARGEST_STEP), -_FARTHEST, _FARTHEST
         )
         found = _fit_at(replan, best.logged, settings, trial)
-        if found and found.error < best.error:
+        if found and found.misfit < best.misfit:
             return found, trial, damping / 5.0, seen
         damping = max(damping * 6.0, 1e-6)
     return None
@@ -121,15 +130,16 @@ def _slopes(
 ) -> tuple[Array, list[int]]:
     """Return how the joints change with start and factors, shape (k·n, 1 + m), and which factors act."""
     times = best.logged.time - best.start
-    columns, seen = [-speeds(best.motion, times).ravel()], []
-    here = coordinates(best.motion, times).ravel()
+    weights = best.logged.weights[:, None]
+    columns, seen = [-(weights * speeds(best.motion, times)).ravel()], []
+    here = coordinates(best.motion, times)
     for number in free:
         lower = factors.copy()
         lower[number] -= _STEP
         motion = replan(best.logged.number, _scaled(settings, lower))
         if motion is None:
             continue
-        slope = (coordinates(motion, times).ravel() - here) / -_STEP
+        slope = (weights * (coordinates(motion, times) - here)).ravel() / -_STEP
         if float(np.abs(slope).max()) > 1e-7:
             columns.append(slope)
             seen.append(number)
@@ -161,4 +171,4 @@ def _fit_at(
 def _scaled(settings: MotionSettings, factors: Array) -> MotionSettings:
     if not factors.any():
         return settings
-    return settings.scaled(np.exp(factors), np.ones(ORDERS))
+    return settings.scaled(np.exp(factors), np.exp(factors))
