@@ -35,8 +35,6 @@ _ROUNDS = 10
 _LESS = 1e-4
 """Reduction beyond an excess; each attempt reduces more."""
 _TORQUE = list(Quantity).index(Quantity.TORQUE)
-_LEAST = 1e-3
-"""Where joints leave less of the rate than this share, slowing by nominal time has its finer means."""
 
 
 def fitted(
@@ -44,10 +42,10 @@ def fitted(
 ) -> EvaluatedTrajectory:
     """Return the timing with its bounds brought down where joints could not follow, with its torques.
 
-    The limits of the program for the tool stay in every time law. Where joints leave next to nothing of the
-    speed, or the motion would take far too long, the trajectory stays unchanged; so does one without a path
-    of the tool. Torques take time, and slower motions hardly need more of them: they are evaluated when all
-    other limits are kept. Where they are too much then, and were so as planned, they count from the start.
+    The limits of the program for the tool stay in every time law. Where the motion would take far too long,
+    the trajectory stays unchanged; so does one without a path of the tool. Torques take time, and slower
+    motions hardly need more of them: they are evaluated when all other limits are kept. Where they are too
+    much then, and were so as planned, they count from the start.
 
     Args:
         planned: the trajectory by the bounds of its sections alone, evaluated at control ticks, or at a few
@@ -98,8 +96,6 @@ def _fitted(
             else:
                 grid[number] = own.slower(1.0 / (now.reference.utilisation.factor * (1.0 + _LESS)))
                 changed[number] = grid[number].replanned(rules)
-            if grid[number].share < _LEAST:
-                return planned.loaded(arm)
         timing = timing_of(changed, len(planned.timing.ends))
         if timing.duration - planned.timing.duration > LONGEST_DELAY:
             return planned.loaded(arm)

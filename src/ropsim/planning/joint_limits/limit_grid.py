@@ -41,7 +41,6 @@ class LimitGrid:
         planned: bounds of speed, acceleration and jerk along it, shape (3, c).
         bounds: the same with regard to joints, shape (3, c).
         causes: joint that brought one of them down last, and the number of the quantity, or -1, (2, c).
-        share: least share of its planned rate that a cell is left, in ]0, 1].
     """
 
     part: Section
@@ -52,7 +51,6 @@ class LimitGrid:
     planned: Array
     bounds: Array
     causes: Array
-    share: float
 
     def lowered(self, caps: JointImposedLimits) -> "LimitGrid":
         """Return the same with bounds no higher than caps, and by as many steps lower than planned.
@@ -60,16 +58,16 @@ class LimitGrid:
         Args:
             caps: joint-imposed limits, and their path parameters.
         """
-        out = LoweredBounds(np.empty(self.bounds.shape), self.causes.copy(), np.empty(1))
+        out = LoweredBounds(np.empty(self.bounds.shape), self.causes.copy())
         ticks, reach = np.empty((4, caps.parameters.shape[1])), np.empty((2, caps.rows.shape[1]))
         imposed = ImposedNumbers(caps.rows, caps.count, caps.parameters)
         lower_bounds(imposed, GridBounds(self.borders, self.planned, self.bounds), ticks, reach, out)
-        return self.with_bounds(out.bounds, out.causes, float(out.share[0]))
+        return self.with_bounds(out.bounds, out.causes)
 
     def slower(self, share: float) -> "LimitGrid":
         """Return the same where everything goes at a share, in ]0, 1], of its rate."""
         bounds = self.bounds * np.array([[share], [share**2], [share**3]])
-        return self.with_bounds(bounds, self.causes, self.share * share)
+        return self.with_bounds(bounds, self.causes)
 
     def replanned(self, rules: TimingRules) -> Section:
         """Return the part with these bounds.
@@ -88,10 +86,10 @@ class LimitGrid:
             self.part.path_segments, path_limits, counts.astype(np.intp), self.part.over, rules
         )
 
-    def with_bounds(self, bounds: Array, causes: Array, share: float) -> "LimitGrid":
-        """Return the same with other bounds and causes, of which a cell has the least share of its rate."""
+    def with_bounds(self, bounds: Array, causes: Array) -> "LimitGrid":
+        """Return the same with other bounds and causes."""
         fixed = self.part, self.begins, self.borders, self.times, self.owners, self.planned
-        return LimitGrid(*fixed, bounds, causes, share)
+        return LimitGrid(*fixed, bounds, causes)
 
     def cause(self, cell: int) -> tuple[int, Quantity]:
         """Return the joint that has lowered a cell, and its binding quantity."""
@@ -118,4 +116,4 @@ def limit_grid_of(part: Section, times: Array, start: float) -> LimitGrid:
     c = int(out.total[0])
     borders, reached, owners = grid[PARAMETER, : c + 1], grid[TIME, : c + 1], grid[PATH_SEGMENT, :c]
     bounds = grid[FIRST_BOUND:PATH_SEGMENT, :c].copy()
-    return LimitGrid(part, begins, borders, reached, owners, bounds, bounds, np.full((2, c), -1.0), 1.0)
+    return LimitGrid(part, begins, borders, reached, owners, bounds, bounds, np.full((2, c), -1.0))

@@ -1,13 +1,10 @@
 """Cells that caps bring down, and path limits from them, in plain loops that numba compiles."""
 
-from math import exp, floor, inf, log, sqrt
+from math import exp, floor, log
 from typing import NamedTuple
-
-import numpy as np
 
 from ropsim.codegen import Array1, Array2, kernel
 from ropsim.planning.joint_limits.grid_reach_kernel import JOINT, KIND, QUANTITY, VALUE, reach_of
-from ropsim.spatial import Array
 
 FIRST_STEP, SECOND_STEP, THIRD_STEP = 0.01, 0.04, 0.08
 """Logarithms of the steps in which bounds of speed, acceleration and jerk come down from the planned ones, so
@@ -48,12 +45,10 @@ class LoweredBounds(NamedTuple):
     Attributes:
         bounds: no higher than the limits, shape (3, c).
         causes: joint and quantity of each cell; become those of the last limit that binds, shape (2, c).
-        share: becomes the least share of its planned rate that a cell is left, in ]0, 1], shape (1,).
     """
 
     bounds: Array2
     causes: Array2
-    share: Array1
 
 
 @kernel
@@ -94,7 +89,6 @@ def lower_bounds(
                 if share != known:
                     known, left = share, exp(floor(log(share) / step) * step)
                 bounds[kind, cell] = planned[kind, cell] * left
-    out.share[0] = _least_share(planned, bounds)
 
 
 @kernel
@@ -136,18 +130,3 @@ def limits_of_cells(
         begin = borders[cell + 1]
         count += 1
     result[0] = count
-
-
-def _least_share(planned: Array, bounds: Array) -> float:
-    """Return the least share of its planned rate that a cell is left, in ]0, 1]."""
-    least, last = inf, bounds.shape[1] - 1
-    for kind in range(bounds.shape[0]):
-        left, cell = inf, 0
-        while cell <= last:
-            bound, plan = bounds[kind, cell], planned[kind, cell]
-            left = min(left, bound / plan)
-            cell += 1
-            while cell <= last and bounds[kind, cell] == bound and planned[kind, cell] == plan:
-                cell += 1  # neighbours are often the same
-        least = min(least, left if kind == 0 else sqrt(left) if kind == 1 else np.cbrt(left))
-    return least

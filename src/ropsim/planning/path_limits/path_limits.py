@@ -75,6 +75,11 @@ class Bend:
     limits: JointMotionLimits
 
     @property
+    def cells(self) -> int:
+        """Return the number of its cells."""
+        return len(self.bounds.lengths)
+
+    @property
     def borders(self) -> Array:
         """Return the path parameters between which its cells lie, shape (k + 1,)."""
         return np.append(0.0, np.cumsum(self.bounds.lengths))
@@ -99,13 +104,8 @@ class ToolBounds(NamedTuple):
 _FASTEST = BendSpeeds(1.0, np.inf)
 _EVEN = tuple(BendSpeeds(0.9**number, np.inf) for number in range(1, 11))
 """What else is tried on an even bend."""
-_CHANGING = (
-    *(BendSpeeds(1.0, level) for level in (1.1, 0.95, 0.82, 0.76, 0.7)),
-    *(BendSpeeds(0.9, level) for level in (2.0, 1.1)),
-    BendSpeeds(0.81, 2.0),
-    *(BendSpeeds(share, np.inf) for share in (0.729, 0.656)),
-)
-"""The same on a bend that changes; of 55 combinations those with which 540 random splines were quickest."""
+_CHANGING = BendSpeeds(1.0, 0.95), BendSpeeds(1.0, 0.7), BendSpeeds(0.81, 2.0)
+"""The same on a bend that changes; there speeds of a ladder are tried as well."""
 
 
 def tool_path_limits(path: ToolPath, limits: ToolLimits) -> PathLimits:

@@ -84,7 +84,6 @@ def test_pieces_with_the_same_bounds_keep_stages_of_their_own() -> None:
 
 def test_at_a_share_of_all_rates_a_part_takes_as_many_times_as_long() -> None:
     assert BANDS.slower(0.5).replanned(RULES).law.duration == pytest.approx(2.0 * PART.law.duration, rel=1e-9)
-    assert BANDS.slower(0.5).share == pytest.approx(0.5)
 
 
 def test_a_cap_counts_from_the_cells_before_its_first_place_to_those_behind_its_last() -> None:

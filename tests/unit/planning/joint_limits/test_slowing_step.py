@@ -47,6 +47,5 @@ def test_a_step_lowers_bounds_where_joints_cannot_follow_and_they_exceed_less_th
     lowered = (lower.bounds < lower.planned).any(axis=0)
     assert (lower.bounds <= lower.planned).all()
     assert ((lower.causes[0] >= 0.0) == lowered).all()
-    assert 0.0 < lower.share < 1.0
     assert slower.law.duration > part.law.duration
     assert after.reference.utilisation.used.max() < before.reference.utilisation.used.max()
