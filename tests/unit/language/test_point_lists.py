@@ -235,3 +235,38 @@ def test_a_changed_list_computes_only_what_reads_it() -> None:
 def test_names_of_parameters_do_not_hide_lists() -> None:
     text = f"{HEAD}task Visit(seam: loc)\n  lin seam\nendp\nVisit infeed\n"
     assert compiled(text, SEAM).diagnostics[0].code == "N223"
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
+        ("lin along seam blend 0", True),
+        ("mov along seam blend 0 mm speed 20 %", True),
+        ("lin via (300, 100, 200), (310, 100, 200) to (320, 100, 200) blend 0", True),
+        ("lin along seam blend 1", False),
+        ("lin along seam fine", False),
+        ("lin along seam", False),
+        ("spline along seam blend 0", False),
+        ("lin (300, 100, 200) blend 0", False),
+    ],
+)
+def test_a_zone_of_nothing_on_a_way_through_points_is_told_not_to_stop_there(line: str, told: bool) -> None:
+    found = [one for one in compile(HEAD + line, SEAM, "t.task").diagnostics if one.code == "T345"]
+    assert len(found) == told
+    for one in found:
+        assert not one.is_error
+        assert one.span is not None
+        assert line[one.span.column - 1 :].startswith("blend 0")
+        assert "to stop at each point" in one.hint
+    if "along" in line and told:
+        assert f"`for each p in seam` and `{line[:3]} p`" in found[0].hint
+
+
+def test_a_point_in_a_variable_keeps_its_number_through_shifts_and_frames() -> None:
+    lines = ("for each p in seam", "  q = p above 10", "  lin q", "  lin p in pallet", "endf")
+    found = moves("\n".join(lines))
+    assert [(one.origin.point.number if one.origin.point else 0) for one in found] == [
+        k for k in range(1, 6) for _ in range(2)
+    ]
+    assert {one.origin.point.line for one in found if one.origin.point} == {3, 4, 5, 6, 7}
+    assert {one.origin.point.source for one in found if one.origin.point} == {"points/seam.csv"}

@@ -392,3 +392,23 @@ the zone. Lists that are cut from a drawing often have such points where two of 
 Leave one of the two out of the list. For a `spline` such points are an error (T393).
 """,
 )
+
+NO_ZONE_ON_THE_WAY = define(
+    "T345",
+    "no-zone-on-the-way",
+    Severity.HINT,
+    "`blend 0` on a way through points does not stop at them",
+    """
+Points on the way of `lin via`, `mov via`, `lin along` and `mov along` are passed by: with the zone in force
+(`set blend 2 mm`) or, without one, with that which the cell has for via points. So `blend 0` stops at the
+last point only, as `fine` does.
+
+Give the zone that is meant, such as `blend 1 mm`. To stop at each point, reach each by a motion of its own:
+
+```task
+for each p in seam
+  lin p
+endf
+```
+""",
+)

@@ -66,6 +66,8 @@ def motion(body: Body, node: syntax.Motion) -> Block:
         for point, expression in zip(node.via, via, strict=True):
             _refuse_own(body, node, point, expression, target)
     chosen = settings.of_motion(body, node)
+    if node.word not in _CURVED and (node.via or (listed and listed.count > 1)):
+        _check_zone(body, node, chosen.zone)
     triggers = tuple(_trigger(body, one) for one in node.triggers) if node.triggers else ()
     angle = _angle(body, node)
     ends, corrected = guards.guard(body, node), trackings.tracking(body, node)
@@ -79,6 +81,21 @@ def motion(body: Body, node: syntax.Motion) -> Block:
     attained = Variable(store, POSE.value)
     seen = poses.kept(Value(attained, POSE, X_KF=frames.read(body)), attained)
     return (move,) if seen is attained else (move, Assign(store, seen, span))
+
+
+def _check_zone(body: Body, node: syntax.Motion, zone: Expression | None) -> None:
+    """Report `blend 0` on a way through points, which does not stop at them."""
+    given = next((one for one in node.modifiers if one.word == "blend"), None) if node.modifiers else None
+    if given is not None and zone is not None and fold.number_of(zone) == 0.0:
+        message = (
+            "with `blend 0` the arm stops at the last point only; it passes the others by with the zone in "
+        )
+        message += "force, else with that of the cell for via points"
+        hint = "give a zone, such as `blend 1 mm`; to stop at each point give each a motion of its own"
+        if node.along is not None:
+            hint = "give a zone, such as `blend 1 mm`; to stop at each point write `for each p in "
+            hint += f"{node.along.text}` and `{node.word} p`"
+        body.warn(kinds.NO_ZONE_ON_THE_WAY, given, message, hint)
 
 
 def _store(body: Body, name: Name) -> str:
