@@ -161,8 +161,6 @@ def test_motors_in_current_loops_come_back(effort: float) -> None:
     assert found.drives[0].motor == motor
     own = motor.torque_constant * motor.max_current
     assert found.drives[0].amplifier == EffortAmplifier(min(effort, own))
-        min(effort, motor.torque_constant * motor.max_current)
-    )
 
 
 def test_gears_with_play_come_back() -> None:
