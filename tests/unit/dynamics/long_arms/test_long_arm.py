@@ -10,11 +10,11 @@ from ropsim.codegen import Engine
 from ropsim.dynamics import ArmFunctions
 from ropsim.dynamics.long_arms.long_arm import LongArmFunctions
 from ropsim.flow import JointReference
-from ropsim.model import Friction, Payload, RobotModel
+from ropsim.model import Friction, Payload, Rates, RobotModel
 from ropsim.simulation import Servo
 from support.arms import drive, random_arm, random_states
 from support.mujoco_arm import MujocoArm
-from support.servo_cases import controller, quintic
+from support.servo_cases import controller, quintic, with_rates
 
 FRICTION = Friction(1e-3, 0.3, -0.2)
 BOX = Payload(2.0, np.array([0.1, 0.0, 0.2]), np.diag([0.1, 0.2, 0.15]))
@@ -67,7 +67,7 @@ def test_a_chain_of_fifty_agrees_with_another_engine() -> None:
 
 
 def test_a_long_arm_is_servoed_like_a_short_one() -> None:
-    """Twelve joints by straight-line code, the same twelve with a thirteenth that has next to no mass."""
+    """Twelve joints by straight-line code, the same with a thirteenth that has next to no mass, in equal steps."""
     short = _arm("R" * 12)
     tail = random_arm(8, "R", (drive(friction=FRICTION),))
     light = tail.links[0].__class__(1e-12, np.zeros(3), np.zeros((3, 3)))
@@ -86,7 +86,8 @@ def test_a_long_arm_is_servoed_like_a_short_one() -> None:
     first = JointReference(reference.q[:, :12], reference.qd[:, :12], reference.qdd[:, :12])
     ends = []
     for robot, follow in ((short, first), (long_, reference)):
-        servo = Servo.build(robot, controller(robot.n, kv=300.0), None, Engine.PYTHON)
+        model = with_rates(controller(robot.n, kv=300.0), Rates(plant_steps=2))
+        servo = Servo.build(robot, model, None, Engine.PYTHON)
         start = servo.initial_state(np.zeros(robot.n))
         ends.append(servo.run(start, follow, Payload(), servo.recorder(start)).q[:12])
     np.testing.assert_allclose(ends[1], ends[0], rtol=0, atol=1e-9)

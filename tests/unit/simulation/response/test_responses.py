@@ -12,6 +12,7 @@ from ropsim.model import (
     ControllerModel,
     Drive,
     EffortAmplifier,
+    Friction,
     Gear,
     IdealMotor,
     InputKind,
@@ -163,8 +164,7 @@ def test_margins_of_an_unstable_loop_are_no_numbers() -> None:
 def test_the_linear_loop_answers_a_small_step_as_the_simulation_does() -> None:
     """Without dry friction, which has no linear form."""
     arm = robots.load("puma560")
-    drives = [replace(one, friction=replace(one.friction, coulomb_positive=0.0, coulomb_negative=0.0))
-              for one in arm.drives]  # fmt: skip
+    drives = [replace(one, friction=Friction(one.friction.viscous)) for one in arm.drives]
     smooth, model, size = replace(arm, drives=tuple(drives)), robots.default_controller("puma560"), 1e-4
     A, B = linear_loop(smooth, model, arm.home, NOTHING).closed()
     for axis in range(arm.n):
