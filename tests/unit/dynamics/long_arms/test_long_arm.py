@@ -67,7 +67,7 @@ def test_a_chain_of_fifty_agrees_with_another_engine() -> None:
 
 
 def test_a_long_arm_is_servoed_like_a_short_one() -> None:
-    """Twelve joints by straight-line code, the same with a thirteenth that has next to no mass, in equal steps."""
+    """Twelve joints by straight-line code, the same with a thirteenth of next to no mass, in equal steps."""
     short = _arm("R" * 12)
     tail = random_arm(8, "R", (drive(friction=FRICTION),))
     light = tail.links[0].__class__(1e-12, np.zeros(3), np.zeros((3, 3)))
