@@ -346,3 +346,36 @@ taken for a switch, `if dry_run then …` with `const dry_run = false`, and so i
 `const passes = 0`: nothing is said then.
 """,
 )
+POINTS_UP = define(
+    "T342",
+    "tool-points-up",
+    Severity.WARNING,
+    "a location whose turn about z stands alone",
+    """
+`(x, y, z)` points the tool down. With orientation terms it points where they say, and a turn about z alone
+leaves it up, along the z of the frame. Who wants the tool down and turned writes `down` first:
+
+```
+lin (450, 0, 300; down, rz 30)
+lin (450, 0, 300; rpy 0 0 30)       # up and turned, if that is meant
+```
+
+Steps of `rel` and frames are turned by `rz` as they stand, and nothing is said of them, nor of locations in
+frames whose z does not point up in the world, as that of the base of an arm on the ceiling.
+""",
+)
+NOT_OF_UNIT_LENGTH = define(
+    "T343",
+    "quaternion-not-of-unit-length",
+    Severity.WARNING,
+    "a quaternion whose length is not 1",
+    """
+`quat w x y z` takes four numbers whose squares add up to 1. Others are brought to that length; often a number
+is missing a digit then, or stands in another place than it was meant for.
+
+```
+lin (450, 0, 300; quat 0 1 1 0)                  # of length 1.41421
+lin (450, 0, 300; quat 0 0.7071068 0.7071068 0)
+```
+""",
+)

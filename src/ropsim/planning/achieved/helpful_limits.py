@@ -5,14 +5,17 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from ropsim.flow import LimitQuantity
-from ropsim.motion import RetimedTrajectory, Ticks, ToolLimits
+from ropsim.motion import JointSection, RetimedTrajectory, Ticks, ToolLimits, ToolSection
 from ropsim.planning.blends.blend import Blend
+from ropsim.planning.blends.short_line_chains import longest_on_curve
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.joint_limits.retiming import retimed
+from ropsim.planning.moves.move_curve import MoveCurve, OnCurve
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.trajectory.sections import TimingRules, sections_of
 from ropsim.planning.trajectory.segments import segments_of
 from ropsim.planning.trajectory.timing import timing_of
+from ropsim.spatial import frozen
 
 _RAISED = 2.0
 """Factor of a limit that is raised."""
@@ -22,8 +25,8 @@ _MINOR = 1.0 / 3.0
 """Share of what the most helpful limit saves below which another one is not named."""
 _AROUND = 3
 """Moves before and behind that are planned with a move."""
-_MOST_RETIMED = 300
-"""Moves up to which the limits of the joints count, too: beyond, planning takes long."""
+_MOST_ON_CURVE = 60
+"""The same on a curve, where the tool may not be at its speed after a few of them."""
 
 
 class AchievedMotion(NamedTuple):
@@ -59,9 +62,9 @@ def helpful_limits(
         lost: time that moves lose that are slow for the cause of this one, by their numbers [s].
     """
     first, last = _around(achieved, number)
-    moves, counted = achieved.moves[first:last], [one - first for one in lost if first <= one < last]
+    counted = [one - first for one in lost if first <= one < last]
     whole = sum(lost[first + one] for one in counted)
-    blends = achieved.blends[first : last - 1]
+    moves, blends = _on_part(achieved.moves[first:last]), achieved.blends[first : last - 1]
 
     def time(*raised: LimitQuantity) -> float:
         return _time(achieved, [_with_raised(one, raised) for one in moves], blends, counted)
@@ -76,17 +79,36 @@ def helpful_limits(
 
 
 def _around(achieved: AchievedMotion, number: int) -> tuple[int, int]:
-    """Return the moves to plan with one: a few on both sides up to the stops, and no curve is cut."""
+    """Return the moves to plan with one: up to stops and the ends of curves, few, or room to speed up."""
     moves, blends, first, last = achieved.moves, achieved.blends, number, number + 1
-    while first > 0 and blends[first - 1] is not None:
-        if number - first >= _AROUND and not moves[first].on_curve:
-            break
+    curve = on.curve if (on := moves[number].on_curve) else None
+    room = longest_on_curve(moves[number:last])
+
+    def goes_on(inner: int, outer: int) -> bool:
+        """Return whether the part goes on from its move at an end to the one beyond."""
+        if not 0 <= outer < len(moves) or blends[min(inner, outer)] is None:
+            return False
+        other = on.curve if (on := moves[outer].on_curve) else None
+        between = moves[min(inner, number) : max(inner, number) + 1]
+        way = sum(one.joints.length for one in between if one.joints)
+        return other is curve and len(between) <= (_MOST_ON_CURVE if curve and way < room else _AROUND)
+
+    while goes_on(first, first - 1):
         first -= 1
-    while last < len(moves) and blends[last - 1] is not None:
-        if last - number > _AROUND and not moves[last - 1].on_curve:
-            break
+    while goes_on(last - 1, last):
         last += 1
     return first, last
+
+
+def _on_part(moves: Sequence[PlannedMove]) -> Sequence[PlannedMove]:
+    """Return moves on one curve as on the part of it that is theirs; others unchanged."""
+    if not (on := moves[0].on_curve):
+        return moves
+    curve, whole = on.curve, on.curve.parameters[on.index : on.index + len(moves) + 1]
+    begin, end = float(whole[0]), float(whole[-1])
+    tool, joints = ToolSection(curve.tool, begin, end), JointSection(curve.joints, begin, end)
+    part = MoveCurve(tool, joints, frozen(whole - begin), 0.0, 0.0, curve.deviation, curve.turn)
+    return [replace(move, on_curve=OnCurve(part, index)) for index, move in enumerate(moves)]
 
 
 def _with_raised(move: PlannedMove, raised: Sequence[LimitQuantity]) -> PlannedMove:
@@ -107,9 +129,8 @@ def _time(
     """Return how long some of the moves take, of all from rest to rest [s]."""
     timing = timing_of(sections_of(segments_of(moves, blends), achieved.rules), len(moves))
     ends = timing.ends
-    if len(moves) <= _MOST_RETIMED:
-        found = retimed(timing, achieved.arm, achieved.ticks, achieved.rules)
-        if isinstance(found.retimed, RetimedTrajectory):
-            ends = found.ends
+    found = retimed(timing, achieved.arm, achieved.ticks, achieved.rules)
+    if isinstance(found.retimed, RetimedTrajectory):
+        ends = found.ends
     begins = (0.0, *ends)
     return sum(ends[one] - begins[one] for one in counted)

@@ -29,8 +29,10 @@ _BY_JOINTS = 0.5
 """Share of the time lost from which on joints are the cause."""
 _BY_PATH = (SpeedCause.ACCELERATION, SpeedCause.JERK, SpeedCause.ZONE, SpeedCause.BEND)
 """Causes of which limits of the path for acceleration and jerk are a part."""
-_MOST_LOOKED_AT = 8
-"""Moves of a sequence for which planning looks for what helps."""
+_LEAST_LOST = 0.02
+"""Time [s] that is lost on a line or curve of a sequence at least for that."""
+_MOST_LOOKED_AT = 6
+"""Lines or curves of a sequence for which planning looks for what helps."""
 
 
 _TimedSpan = tuple[TimedSection, Span, tuple[float, float]]
@@ -111,12 +113,16 @@ def reached_speeds(
 
 
 def _worst_by_line(moves: Sequence[PlannedMove], found: Mapping[int, ReachedSpeed]) -> list[int]:
-    """Return the moves that lose most on their lines for causes of which limits of the path are a part."""
-    worst: dict[tuple[TextSpan | None, SpeedCause], int] = {}
-    for number in sorted(found, key=lambda one: -found[one].lost):
-        if (cause := found[number].cause) in _BY_PATH:
-            worst.setdefault((moves[number].move.origin.span, cause), number)
-    return list(worst.values())[:_MOST_LOOKED_AT]
+    """Return the moves that lose most on the worst lines or curves, for causes made by limits of the path."""
+    alike: dict[tuple[TextSpan | int | None, SpeedCause], list[int]] = {}
+    for number, one in found.items():
+        on_curve = moves[number].on_curve
+        place = id(on_curve.curve) if on_curve else moves[number].move.origin.span
+        if one.cause in _BY_PATH:
+            alike.setdefault((place, one.cause), []).append(number)
+    lost = sorted(((sum(found[one].lost for one in some), some) for some in alike.values()), reverse=True)
+    worst = [some for whole, some in lost[:_MOST_LOOKED_AT] if whole >= _LEAST_LOST]
+    return [max(some, key=lambda one: found[one].lost) for some in worst]
 
 
 def _with_help(

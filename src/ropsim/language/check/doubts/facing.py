@@ -2,7 +2,7 @@
 
 from ropsim.language.check.doubts import numerals
 from ropsim.language.check.scope.body import Body
-from ropsim.language.findings import locations as location_kinds
+from ropsim.language.findings import types as kinds
 from ropsim.language.report import OffsetRange
 from ropsim.language.syntax import nodes
 from ropsim.spatial import PoseTuple, quaternion
@@ -37,7 +37,7 @@ def _check(body: Body, node: nodes.Tuple, X_KF: PoseTuple, moving: str) -> None:
         upright = f"rpy 0 0 {body.written(node.turns[0].values[0])}"
     message = "`rz` alone points the tool up, along z of the frame; without terms `(x, y, z)` points down"
     hint = f"write `down, {written}`, or `{upright}` where up is meant"
-    body.warn(location_kinds.POINTS_UP, place, message, hint, f"down, {written}")
+    body.warn(kinds.POINTS_UP, place, message, hint, f"down, {written}")
 
 
 def _turns_about_z(turns: tuple[nodes.Turn, ...]) -> bool:

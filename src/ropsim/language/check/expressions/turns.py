@@ -8,7 +8,6 @@ from ropsim.language.check.expressions import components, convert, values
 from ropsim.language.check.scope import fold
 from ropsim.language.check.scope.body import Body
 from ropsim.language.check.scope.types import ANGLE, NUMBER, POSE, Type
-from ropsim.language.findings import locations as location_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.program import Constant, Expression, ValueType
@@ -110,7 +109,7 @@ def _quaternion(body: Body, term: nodes.Turn) -> Expression:
     if abs(length - 1.0) > _NOT_UNIT:
         text = "quat " + " ".join(f"{round(number / length, 7) + 0.0:.7g}" for number in (w, x, y, z))
         message = f"the length of this quaternion is {length:g}, not 1"
-        body.warn(location_kinds.NOT_OF_UNIT_LENGTH, term, message, f"write `{text}`", text)
+        body.warn(kinds.NOT_OF_UNIT_LENGTH, term, message, f"write `{text}`", text)
     return fold.pose((0.0, 0.0, 0.0, *unit))
 
 

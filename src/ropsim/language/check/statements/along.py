@@ -9,8 +9,8 @@ from ropsim.language.check.scope import fold
 from ropsim.language.check.scope.body import Body, RejectedError
 from ropsim.language.check.scope.types import POSE
 from ropsim.language.check.scope.world import Listed, Poison
-from ropsim.language.findings import locations as location_kinds
 from ropsim.language.findings import names as name_kinds
+from ropsim.language.findings import points as point_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.nodes import Name
@@ -97,7 +97,7 @@ def _check_coincident(body: Body, node: syntax.Motion, name: Name, found: Listed
         hint = f"leave one of them out: lines {lines[0]} and {lines[1]} of `{table.source}`"
     if is_curve:
         body.fail(IMPOSSIBLE_PATH, name, message, hint)
-    body.warn(location_kinds.POINTS_AT_ONE_PLACE, name, message, hint)
+    body.warn(point_kinds.POINTS_AT_ONE_PLACE, name, message, hint)
 
 
 def _sides(target: Expression) -> _Sides | None:

@@ -22,7 +22,7 @@ from ropsim.language.check.scope.types import (
     known,
 )
 from ropsim.language.check.statements import actions, along, assignments, guards, settings, trackings
-from ropsim.language.findings import locations as location_kinds
+from ropsim.language.findings import points as point_kinds
 from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import statements as syntax
 from ropsim.language.syntax.nodes import Literal, Name, Node
@@ -96,7 +96,7 @@ def _check_zone(body: Body, node: syntax.Motion, zone: Expression | None) -> Non
         if node.along is not None:
             hint = "give a zone, such as `blend 1 mm`; to stop at each point write `for each p in "
             hint += f"{node.along.text}` and `{node.word} p`"
-        body.warn(location_kinds.NO_ZONE_ON_THE_WAY, given, message, hint)
+        body.warn(point_kinds.NO_ZONE_ON_THE_WAY, given, message, hint)
 
 
 def _store(body: Body, name: Name) -> str:
