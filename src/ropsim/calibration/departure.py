@@ -6,7 +6,7 @@ from ropsim.spatial import Array
 
 _SEEN = 6.0
 """Steps of the encoders from which on a way is evaluated."""
-_WINDOWS = (4.0, 6.0, 10.0)
+_WINDOWS = (3.0, 4.0, 6.0, 10.0)
 """Times since the departure in terms of that at which its way is seen, up to which it is evaluated: shortest
 first, while a way that grows with the cube of time has few samples in it."""
 _FEWEST = 4

@@ -13,6 +13,8 @@ _SAME = 4e-4
 """Share of its way by which a motion may change and count as the same."""
 _AS_LEFT = 3.0
 """The same in terms of what is left of it, where that is more: planning is not smooth."""
+_AS_LONG, _TICKS = 2e-3, 1.5
+"""Share of its time, or control ticks, by which it may last longer or shorter then: ends are a small way."""
 _SLACK = 0.97
 """Factor of all other limits under which a limit must be needed: they are known no better than that, and
 those that stay are refined afterwards."""
@@ -66,4 +68,7 @@ def _is_same(
 ) -> bool:
     """Return whether a sequence goes alike under two settings, up to a distance [rad | m]."""
     motion, other = replan(number, settings), replan(number, others)
-    return motion is None or (other is not None and difference(motion, other) <= most)
+    if motion is None or other is None:
+        return motion is None
+    as_long = abs(other.ticks - motion.ticks) <= max(_TICKS, _AS_LONG * motion.ticks)
+    return as_long and difference(motion, other) <= most

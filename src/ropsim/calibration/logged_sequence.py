@@ -35,6 +35,7 @@ class LoggedSequence:
         noise: of each axis [rad | m], shape (n,).
         weights: of the samples: less where the robot is fast and times of samples are wrong, such that a
             shift of the whole in time weighs as it does without them, shape (k,).
+        still_noise: of all axes while they stand [rad | m].
     """
 
     number: int
@@ -42,6 +43,7 @@ class LoggedSequence:
     q: Array
     noise: Array
     weights: Array
+    still_noise: float
 
     def __post_init__(self) -> None:
         for name in ("time", "q", "noise", "weights"):
@@ -91,7 +93,9 @@ def logged_sequence(
     share = np.concatenate(([0.0], np.cumsum(way)))[:, None] / max(float(way.sum()), 1e-12)
     shifted = q - wrong[0] - share * (wrong[1] - wrong[0])
     time = trace.time[samples] - trace.time[first]
-    return LoggedSequence(number, time, shifted, rests.noise, _weights(time, shifted, rests))
+    return LoggedSequence(
+        number, time, shifted, rests.noise, _weights(time, shifted, rests), rests.still_noise
+    )
 
 
 def _weights(time: Array, q: Array, rests: Rests) -> Array:
@@ -131,7 +135,7 @@ def duration(logged: LoggedSequence, motion: MotionPlan, start: float) -> float:
     """
     planned = coordinates(motion, logged.time - start)
     seen, made = logged.crossings(logged.q), logged.crossings(planned)
-    time, noise = logged.time, float(logged.noise.max())
+    time, noise = logged.time, logged.still_noise
     begun = lateness(time, logged.q - motion.q_start, planned - motion.q_start, noise)
     ended = lateness(-time[::-1], (logged.q - motion.q_end)[::-1], (planned - motion.q_end)[::-1], noise)
     late = seen[0] - made[0] if begun is None else begun

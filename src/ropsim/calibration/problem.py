@@ -8,7 +8,7 @@ import numpy.typing as npt
 from ropsim.calibration.easing import eased
 from ropsim.calibration.least_limits import least_limits
 from ropsim.calibration.limits import MotionSettings
-from ropsim.calibration.logged_sequence import LoggedSequence
+from ropsim.calibration.logged_sequence import LoggedSequence, duration
 from ropsim.calibration.look_ahead import (
     FoundLookAhead,
     best_look_ahead,
@@ -20,6 +20,7 @@ from ropsim.calibration.look_ahead import (
 )
 from ropsim.calibration.refining import Trial, fits_under, refined
 from ropsim.calibration.replanning import Replan
+from ropsim.calibration.sequence_fit import SequenceFit
 from ropsim.core import frozen_dataclass
 from ropsim.flow import MotionKind
 from ropsim.model import LookAhead, RobotModel
@@ -43,6 +44,9 @@ _MISFIT = 1.5e-3
 
 Planning is not smooth: a limit that changes by some thousandths may change a motion that joints slow down
 by a thousandth of its way."""
+_LATE = 4e-3
+"""Share of its time by which a sequence is wrong, root of the mean square, from which on they are tried too:
+ends of motions are a small way and a long time."""
 _RISE = 1.4
 """Factor of all limits in one of them."""
 _OTHER_RAMPS = np.array([1.0, 0.5, 2.0])
@@ -127,13 +131,13 @@ class Problem:
         for begin in sorted(begins, key=lambda trial: trial.error):
             found = refined(self.replan, used, begin.settings, every)
             best = found if best is None or found.error < best.error else best
-            if best.left <= _MISFIT:
+            if _is_met(best):
                 return best
         assert best is not None
         higher = best.settings.with_all(_RISE * best.settings.all)
         for one in (higher, best.settings.scaled(np.ones(3), _OTHER_RAMPS)):
             best = min((best, refined(self.replan, used, one, every)), key=lambda trial: trial.error)
-            if best.left <= _MISFIT:
+            if _is_met(best):
                 break
         return best
 
@@ -197,3 +201,15 @@ class Problem:
         """Return the groups of limits that a sequence may determine: 0 of the joints, 1 of the tool."""
         kinds = {move.kind == MotionKind.PTP for move in self.orders[logged.number].moves}
         return (0,) if kinds == {True} else (0, 1)
+
+
+def _is_met(trial: Trial) -> bool:
+    """Return whether the motions of a trial go and last as in the trace."""
+    fits = [fit for fit in trial.fits if fit]
+    late = [fit.motion.duration / lasted - 1.0 for fit in fits if (lasted := _lasted(fit)) > 0.0]
+    return trial.left <= _MISFIT and float(np.mean(np.square(late or [0.0]))) <= _LATE**2
+
+
+def _lasted(fit: SequenceFit) -> float:
+    """Return how long a sequence lasted in the trace [s]."""
+    return duration(fit.logged, fit.motion, fit.start)

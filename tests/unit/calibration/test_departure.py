@@ -8,7 +8,7 @@ from ropsim.spatial import Array
 from support.logged_traces import ENCODER
 
 TIME = np.linspace(0.0, 0.472, 60)
-EXACT = 1e-3
+EXACT = 1.5e-3
 """What rounding to a step of the encoders leaves [s]."""
 
 

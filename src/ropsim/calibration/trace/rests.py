@@ -1,5 +1,7 @@
 """Where a trace stands: the places between which the robot moves."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import numpy.typing as npt
 
@@ -18,6 +20,10 @@ _LOUDEST = 1e-3
 """Largest speed of the noise of an axis, as a share of the speed that counts as its largest."""
 _LEAST_SPEED = 1e-4
 """Share of the largest speed of an axis up to which it stands."""
+_LEAST_STEP = 0.02
+"""Quantile of the steps of an axis that moves that counts as the least one."""
+_STILL = 4
+"""Samples beyond the first one of a stop of which the noise is known."""
 _COARSEST = 2e-3
 """Largest step of an encoder that is believed [rad | m]."""
 
@@ -31,12 +37,14 @@ class Rests:
         q: where it is [rad | m], shape (m, n).
         noise: of each axis at rest [rad | m], shape (n,).
         time_noise: standard deviation of the times of samples from those they name [s].
+        still_noise: of all axes while they stand, where wrong times do nothing [rad | m].
     """
 
     spans: tuple[tuple[int, int], ...]
     q: Array
     noise: Array
     time_noise: float = 0.0
+    still_noise: float = 0.0
 
     def __post_init__(self) -> None:
         for name in ("q", "noise"):
@@ -63,19 +71,38 @@ def rests_of(trace: Trace) -> Rests:
     speeds, floor = _speeds(trace, noise)
     spans = _valleys(speeds, floor)
     q = np.array([trace.q[first : last + 1].mean(axis=0) for first, last in spans])
-    return Rests(tuple(spans), q, noise, time_noise(trace))
+    return Rests(tuple(spans), q, noise, time_noise(trace), _still_noise(trace, spans, q))
 
 
 def _noise(q: Array) -> Array:
     """Return the step of the encoder of each axis, or its noise where that is more [rad | m], shape (n,)."""
     steps = np.abs(np.diff(q, axis=0))
-    found = []
-    for column in steps.T:
-        moving = column[column > 1e-12]
-        step = float(np.quantile(moving, 0.02)) if moving.size else 0.0
-        found.append(min(step, _COARSEST))
+    found = [min(_step(column), _COARSEST) for column in steps.T]
     bends = np.quantile(np.abs(np.diff(q, n=2, axis=0)), 0.2, axis=0)
     return np.asarray(np.maximum(np.array(found), np.minimum(bends, _COARSEST)))
+
+
+def _step(steps: Array) -> float:
+    """Return the least step of an axis that moves [rad | m]."""
+    moving = steps[steps > 1e-12]
+    return float(np.quantile(moving, _LEAST_STEP)) if moving.size else 0.0
+
+
+def _still_noise(trace: Trace, spans: Sequence[tuple[int, int]], q: Array) -> float:
+    """Return the step of the encoders, or how much axes differ from a stop while they stand if that is more.
+
+    Args:
+        trace: of n axes.
+        spans: first and last sample of each stop, m of them.
+        q: where it is [rad | m], shape (m, n).
+    """
+    step = max(_step(column) for column in np.abs(np.diff(trace.q, axis=0)).T)
+    apart = [
+        np.sqrt(np.mean((trace.q[first : last + 1] - place) ** 2, axis=0)).max()
+        for (first, last), place in zip(spans, q, strict=True)
+        if last - first >= _STILL
+    ]
+    return min(max(step, float(np.median(apart)) if apart else 0.0), _COARSEST)
 
 
 def _speeds(trace: Trace, noise: Array) -> tuple[Array, float]:
