@@ -5,6 +5,7 @@ from ropsim.model import (
     WRITTEN,
     BacklashGear,
     CurrentLimitedAmplifier,
+    CurrentLoopMotor,
     DcMotor,
     Drive,
     EffortAmplifier,
@@ -44,7 +45,15 @@ def drive_keys(drive: Drive, frames: PinFrames) -> dict[str, str] | None:
     """Return the keys of a drive; None where it is made of other blocks than a robot file supports."""
     match drive.amplifier, drive.motor:
         case VoltageAmplifier() | CurrentLimitedAmplifier(), DcMotor():
-            keys = _dc(drive.amplifier, drive.motor)
+            most = drive.amplifier.max_voltage, drive.amplifier.max_current
+            limits = "true" if isinstance(drive.amplifier, CurrentLimitedAmplifier) else ""
+            keys = _dc(drive.motor, most) | {"limits_current": limits}
+        case EffortAmplifier(most_torque), CurrentLoopMotor(max_voltage=voltage, max_current=current):
+            own = {
+                "current_bandwidth": number(drive.motor.bandwidth),
+                "max_torque": unless(most_torque, drive.motor.torque_constant * current),
+            }
+            keys = _dc(drive.motor, (voltage, current)) | own
         case EffortAmplifier(most), IdealMotor(inertia):
             keys = {
                 "kind": text("servo"),
@@ -63,7 +72,7 @@ def drive_keys(drive: Drive, frames: PinFrames) -> dict[str, str] | None:
     return keys | _gear(drive) | _friction(drive.friction)
 
 
-def _dc(amplifier: VoltageAmplifier | CurrentLimitedAmplifier, motor: DcMotor) -> dict[str, str]:
+def _dc(motor: DcMotor | CurrentLoopMotor, most: tuple[float, float]) -> dict[str, str]:
     return {
         "kind": text("dc"),
         "torque_constant": number(motor.torque_constant),
@@ -71,9 +80,8 @@ def _dc(amplifier: VoltageAmplifier | CurrentLimitedAmplifier, motor: DcMotor) -
         "resistance": number(motor.resistance),
         "inductance": number(motor.inductance),
         "rotor_inertia": number(motor.rotor_inertia),
-        "max_voltage": number(amplifier.max_voltage),
-        "max_current": number(amplifier.max_current),
-        "limits_current": "true" if isinstance(amplifier, CurrentLimitedAmplifier) else "",
+        "max_voltage": number(most[0]),
+        "max_current": number(most[1]),
     }
 
 

@@ -7,6 +7,7 @@ from types import MappingProxyType
 from ropsim.model import (
     BacklashGear,
     CurrentLimitedAmplifier,
+    CurrentLoopMotor,
     DcMotor,
     Drive,
     EffortAmplifier,
@@ -71,7 +72,7 @@ def _drive(table: TomlTable, dh: DhTable, number: int) -> Drive | None:
 
 
 def _dc(table: TomlTable, transmission: Transmission, friction: FrictionLaw) -> Drive:
-    """Return a DC motor at a voltage amplifier."""
+    """Return a DC motor at a voltage amplifier, or in a current loop where that has a bandwidth."""
     table.require(
         "torque_constant", "resistance", "inductance", "rotor_inertia", "max_voltage", "max_current"
     )
@@ -83,10 +84,27 @@ def _dc(table: TomlTable, transmission: Transmission, friction: FrictionLaw) -> 
         table.number("inductance", _POSITIVE, 1.0),
         table.number("rotor_inertia", _FROM_ZERO, 0.0),
     )
+    most = [table.number(key, _POSITIVE, 1.0) for key in ("max_voltage", "max_current")]
+    if "current_bandwidth" in table:
+        return Drive(*_in_loop(table, motor, most), transmission, friction)
     limited = table.flag("limits_current", default=False)
     make = CurrentLimitedAmplifier if limited else VoltageAmplifier
-    most = [table.number(key, _POSITIVE, 1.0) for key in ("max_voltage", "max_current")]
     return Drive(make(most[0], most[1]), motor, transmission, friction)
+
+
+def _in_loop(table: TomlTable, motor: DcMotor, most: list[float]) -> tuple[EffortAmplifier, CurrentLoopMotor]:
+    """Return a motor in a current loop, and what tells it its torque.
+
+    Args:
+        table: the row.
+        motor: by itself.
+        most: largest voltage and current [V, A].
+    """
+    constants = (motor.torque_constant, motor.back_emf_constant, motor.resistance, motor.inductance)
+    bandwidth = table.number("current_bandwidth", _POSITIVE, 1.0)
+    made = CurrentLoopMotor(*constants, motor.rotor_inertia, most[0], most[1], bandwidth)
+    torque = table.number("max_torque", _POSITIVE, motor.torque_constant * most[1])
+    return EffortAmplifier(torque), made
 
 
 def _servo(table: TomlTable, transmission: Transmission, friction: FrictionLaw) -> Drive:

@@ -20,7 +20,7 @@ from ropsim.dynamics import (
     rigid_inverse_dynamics,
     steady_drive,
 )
-from ropsim.dynamics.drives.lugre_friction import FASTEST
+from ropsim.dynamics.drives.frictions.lugre import FASTEST
 from ropsim.model import (
     Drive,
     EffortAmplifier,

@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from math import inf
 
 import numpy as np
 import pytest
@@ -15,8 +16,10 @@ from ropsim.model import (
     ArmClass,
     BacklashGear,
     CurrentLimitedAmplifier,
+    CurrentLoopMotor,
     DcMotor,
     Drive,
+    EffortAmplifier,
     ElasticGear,
     Friction,
     FrictionLaw,
@@ -144,6 +147,20 @@ def test_drives_of_all_kinds_and_drawn_things_come_back() -> None:
         robot, drives=(limited, plain), links=links, joints=joints, gravity=np.array([1.0, 0.0, -9.0])
     )
     assert again(changed) == changed
+
+
+@pytest.mark.parametrize("effort", [0.9, 0.5, inf])
+def test_motors_in_current_loops_come_back(effort: float) -> None:
+    robot = robots.load("two_link")
+    motor = CurrentLoopMotor(0.1, 0.11, 0.9, 1e-3, 2e-4, 48.0, 9.0, 2e3)
+    if effort == 0.9:
+        effort = motor.torque_constant * motor.max_current
+    drive = Drive(EffortAmplifier(effort), motor, Gear(-60.0))
+    changed = replace(robot, drives=(drive, robot.drives[1]))
+    found = again(changed)
+    assert found.drives[0].motor == motor
+    own = motor.torque_constant * motor.max_current
+    assert found.drives[0].amplifier == EffortAmplifier(min(effort, own))
 
 
 def test_gears_with_play_come_back() -> None:

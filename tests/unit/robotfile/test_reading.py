@@ -10,7 +10,9 @@ from ropsim.core import SourceText
 from ropsim.dynamics import gravity
 from ropsim.model import (
     BacklashGear,
+    CurrentLoopMotor,
     DcMotor,
+    EffortAmplifier,
     ElasticGear,
     Friction,
     FrictionLaw,
@@ -175,6 +177,21 @@ def test_drives_may_be_servos_with_elastic_gears() -> None:
     assert isinstance(transmission, ElasticGear)
     assert (transmission.ratio, transmission.stiffness) == (100.0, 2e4)
     assert robot.drives[0].friction.coulomb_negative == -0.1
+
+
+@pytest.mark.parametrize(("more", "torque"), [("", 0.9), (", max_torque = 0.7", 0.7)])
+def test_a_motor_may_be_in_a_current_loop(more: str, torque: float) -> None:
+    row = (
+        '{ kind = "dc", ratio = 50, torque_constant = 0.1, back_emf_constant = 0.11, resistance = 0.9, '
+        "inductance = 1e-3, rotor_inertia = 2e-4, max_voltage = 48, max_current = 9, "
+        f"current_bandwidth = 2e3{more} }}"
+    )
+    robot = arm(f"mass = 12\ndrives = [{row}, {row}]\n" + TWO_JOINTS)
+    assert robot.drives[0].motor == CurrentLoopMotor(0.1, 0.11, 0.9, 1e-3, 2e-4, 48.0, 9.0, 2e3)
+    amplifier = robot.drives[0].amplifier
+    assert isinstance(amplifier, EffortAmplifier)
+    assert amplifier.max_effort == pytest.approx(torque)
+    assert arm(write_robot_file(robot).text).drives == robot.drives
 
 
 def test_an_elastic_gear_may_have_play() -> None:

@@ -4,6 +4,7 @@ from ropsim.cli.terminal.coordinates import shown
 from ropsim.core import plural
 from ropsim.model import (
     BacklashGear,
+    CurrentLoopMotor,
     DcMotor,
     Drive,
     Elastic,
@@ -44,6 +45,8 @@ def _kind(drive: Drive) -> str:
             return "hydraulic cylinders at servo valves"
         case HydraulicMotor():
             return f"hydraulic motors at servo valves, {gears}"
+        case CurrentLoopMotor():
+            return f"motors in current loops, {gears}"
         case DcMotor():
             return f"DC motors, {gears}"
         case _:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from ropsim.dynamics.drives.block import Limit, Steepness
 from ropsim.dynamics.drives.chain import chain_of
-from ropsim.model import Drive
+from ropsim.model import Drive, InputKind
 
 
 class SteadyDrive(NamedTuple):
@@ -106,9 +106,11 @@ def largest_effort(drive: Drive, q: float) -> float:
         Infinite where the drive has no limit.
     """
     chain = chain_of(drive)
-    if chain.motor.most is not None:
-        return chain.motor.most(drive.motor) * abs(drive.ratio_at(q))
-    return _bound(drive, chain.amplifier.limits)
+    if chain.motor.most is None:
+        return _bound(drive, chain.amplifier.limits)
+    most = chain.motor.most(drive.motor) * abs(drive.ratio_at(q))
+    is_told = chain.motor.takes is InputKind.EFFORT
+    return min(most, _bound(drive, chain.amplifier.limits)) if is_told else most
 
 
 def _bound(drive: Drive, limits: Sequence[Limit]) -> float:

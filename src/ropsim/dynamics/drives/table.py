@@ -8,20 +8,22 @@ from ropsim.dynamics.drives.block import (
     MotorBlock,
     TransmissionBlock,
 )
+from ropsim.dynamics.drives.current_loop import CURRENT_LOOP
 from ropsim.dynamics.drives.dc_motor import DC_MOTOR
 from ropsim.dynamics.drives.elastic_gear import ELASTIC_GEAR
-from ropsim.dynamics.drives.friction import FRICTION
+from ropsim.dynamics.drives.frictions.coulomb import FRICTION
+from ropsim.dynamics.drives.frictions.load import LOAD_FRICTION
+from ropsim.dynamics.drives.frictions.lugre import LUGRE_FRICTION
+from ropsim.dynamics.drives.frictions.stribeck import STRIBECK_FRICTION
 from ropsim.dynamics.drives.gear import GEAR
 from ropsim.dynamics.drives.hydraulic_cylinder import HYDRAULIC_CYLINDER
 from ropsim.dynamics.drives.hydraulic_motor import HYDRAULIC_MOTOR
 from ropsim.dynamics.drives.ideal_motor import IDEAL_MOTOR
 from ropsim.dynamics.drives.linkage import LINKAGE
-from ropsim.dynamics.drives.load_friction import LOAD_FRICTION
-from ropsim.dynamics.drives.lugre_friction import LUGRE_FRICTION
-from ropsim.dynamics.drives.stribeck_friction import STRIBECK_FRICTION
 from ropsim.model import (
     BacklashGear,
     CurrentLimitedAmplifier,
+    CurrentLoopMotor,
     DcMotor,
     EffortAmplifier,
     ElasticGear,
@@ -46,6 +48,7 @@ AMPLIFIERS: dict[type, AmplifierBlock] = {
 }
 MOTORS: dict[type, MotorBlock] = {
     DcMotor: DC_MOTOR,
+    CurrentLoopMotor: CURRENT_LOOP,
     IdealMotor: IDEAL_MOTOR,
     HydraulicMotor: HYDRAULIC_MOTOR,
     HydraulicCylinder: HYDRAULIC_CYLINDER,

@@ -7,6 +7,7 @@ excavators. A number beyond them is reported with the unit in which it would be 
 from collections.abc import Iterator
 
 from ropsim.core import Diagnostic, frozen_dataclass
+from ropsim.model.drives.current_loop import CurrentLoopMotor
 from ropsim.model.drives.drive import DcMotor
 from ropsim.model.drives.hydraulics import HydraulicCylinder, HydraulicMotor
 from ropsim.model.findings.doubt_diagnostics import UNLIKELY_DRIVE
@@ -61,6 +62,7 @@ _OF_DC_MOTORS = {
 }
 _USUAL = {
     DcMotor: _OF_DC_MOTORS,
+    CurrentLoopMotor: _OF_DC_MOTORS,
     HydraulicMotor: _OF_HYDRAULICS | _OF_MOTORS,
     HydraulicCylinder: _OF_HYDRAULICS | _OF_CYLINDERS,
 }

@@ -4,6 +4,7 @@ from enum import StrEnum
 from math import copysign, inf
 
 from ropsim.core import frozen_dataclass
+from ropsim.model.drives.current_loop import CurrentLoopMotor
 from ropsim.model.drives.friction import Friction, FrictionLaw
 from ropsim.model.drives.hydraulics import HydraulicCylinder, HydraulicMotor
 from ropsim.model.drives.linkage import Linkage
@@ -145,7 +146,7 @@ class BacklashGear:
 
 Elastic = ElasticGear | BacklashGear
 Amplifier = VoltageAmplifier | CurrentLimitedAmplifier | EffortAmplifier | ValveAmplifier
-Motor = DcMotor | IdealMotor | HydraulicMotor | HydraulicCylinder
+Motor = DcMotor | CurrentLoopMotor | IdealMotor | HydraulicMotor | HydraulicCylinder
 Transmission = Gear | Elastic | Linkage
 
 

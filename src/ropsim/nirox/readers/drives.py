@@ -7,6 +7,7 @@ from ropsim.model import (
     Amplifier,
     BacklashGear,
     CurrentLimitedAmplifier,
+    CurrentLoopMotor,
     DcMotor,
     Drive,
     EffortAmplifier,
@@ -129,6 +130,13 @@ def _motor(seen: Seen, train: int, at_input: float, number: int) -> tuple[Amplif
         rotor + at_input if at_input else rotor,
     )
     most = seen.real(motor, "max_voltage"), seen.real(motor, "max_current")
+    loop = seen.user(motor, "current_controller", "motor")
+    if loop is not None:
+        seen.take(loop, "motor", number, "loop")
+        constants = (made.torque_constant, made.back_emf_constant, made.resistance, made.inductance)
+        looped = CurrentLoopMotor(*constants, made.rotor_inertia, *most, seen.real(loop, "bandwidth"))
+        told = seen.real(loop, "max_effort", made.torque_constant * most[1])
+        return EffortAmplifier(told), looped
     return (CurrentLimitedAmplifier(*most) if limits else VoltageAmplifier(*most)), made
 
 

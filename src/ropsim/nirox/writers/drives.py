@@ -7,6 +7,7 @@ from ropsim.core import Diagnostic
 from ropsim.model import (
     BacklashGear,
     CurrentLimitedAmplifier,
+    CurrentLoopMotor,
     DcMotor,
     Drive,
     EffortAmplifier,
@@ -72,7 +73,9 @@ def _joined(drive: Drive) -> bool:
             return False
         case _, HydraulicMotor() | HydraulicCylinder():
             return False
-    return isinstance(drive.amplifier, EffortAmplifier) is isinstance(drive.motor, IdealMotor)
+    return isinstance(drive.amplifier, EffortAmplifier) is isinstance(
+        drive.motor, IdealMotor | CurrentLoopMotor
+    )
 
 
 def _drive_train(building: Building, robot: RobotModel, number: int, drive: Drive) -> None:
@@ -91,7 +94,7 @@ def _gear(building: Building, number: int, name: str, drive: Drive, gear: Gear |
     elastic: tuple[Value, Value] = (UNSET, UNSET)
     if isinstance(gear, Elastic):
         elastic = float(gear.stiffness), float(gear.damping)
-    at_input = 0.0 if isinstance(drive.motor, DcMotor | HydraulicMotor) else float(drive.motor.rotor_inertia)
+    at_input = float(drive.motor.rotor_inertia) if isinstance(drive.motor, IdealMotor) else 0.0
     play = float(gear.backlash) if isinstance(gear, BacklashGear) else 0.0
     values = (f"gear {name}", float(gear.ratio), 1.0, play, *elastic, at_input)
     return building.add(("gear", number), "GEAR_TRANSMISSION", *values)
@@ -103,13 +106,31 @@ def _motor(building: Building, number: int, name: str, drive: Drive) -> tuple[Re
     if isinstance(motor, HydraulicMotor | HydraulicCylinder):
         return write_hydraulic(building, number, name, motor)
     if isinstance(motor, DcMotor) and isinstance(amplifier, VoltageAmplifier | CurrentLimitedAmplifier):
-        constants = (motor.torque_constant, motor.back_emf_constant, motor.resistance, motor.inductance)
-        most = (motor.rotor_inertia, amplifier.max_voltage, amplifier.max_current)
-        numbers = map(float, (*constants, *most))
-        made = building.add(key, "DC_SERVO_MOTOR", f"motor {name}", *numbers, UNSET, UNSET, UNSET)
+        most = amplifier.max_voltage, amplifier.max_current
+        made = _dc_motor(building, number, name, motor, most)
         if not isinstance(amplifier, CurrentLimitedAmplifier):
             return made, UNSET
         label = f"amplifier {name}"
         return made, building.add(("amplifier", number), "ELECTRIC_AMPLIFIER", label, TRUE)
     effort = amplifier.max_effort if isinstance(amplifier, EffortAmplifier) else inf
+    if isinstance(motor, CurrentLoopMotor):
+        own = motor.torque_constant * motor.max_current
+        made = _dc_motor(building, number, name, motor, (motor.max_voltage, motor.max_current))
+        told = UNSET if effort == own else bounded(effort)
+        building.add((*key, "loop"), "CURRENT_CONTROLLER", made, float(motor.bandwidth), told)
+        return made, UNSET
     return building.add(key, "IDEAL_EFFORT_SOURCE", f"motor {name}", bounded(effort), UNSET), UNSET
+
+
+def _dc_motor(
+    building: Building,
+    number: int,
+    name: str,
+    motor: DcMotor | CurrentLoopMotor,
+    most: tuple[float, float],
+) -> Reference:
+    """Make a DC motor with its largest voltage and current."""
+    constants = (motor.torque_constant, motor.back_emf_constant, motor.resistance, motor.inductance)
+    numbers = map(float, (*constants, motor.rotor_inertia, *most))
+    heat = (UNSET, UNSET, UNSET)
+    return building.add(("motor", number), "DC_SERVO_MOTOR", f"motor {name}", *numbers, *heat)

@@ -1,0 +1,1 @@
+"""Laws of friction of drives, a file each."""
