@@ -104,6 +104,9 @@ from ropsim.model.drives.hydraulics import HydraulicMotor as HydraulicMotor
 from ropsim.model.drives.linkage import Linkage as Linkage
 from ropsim.model.drives.linkage import Point as Point
 from ropsim.model.drives.linkage import linkage as linkage
+from ropsim.model.drives.thermal_motor import COPPER as COPPER
+from ropsim.model.drives.thermal_motor import GuardedAmplifier as GuardedAmplifier
+from ropsim.model.drives.thermal_motor import ThermalDcMotor as ThermalDcMotor
 from ropsim.model.findings.diagnostics import ESTIMATED_PARAMETERS as ESTIMATED_PARAMETERS
 from ropsim.model.findings.diagnostics import INDEFINITE_INERTIA as INDEFINITE_INERTIA
 from ropsim.model.findings.diagnostics import MASSLESS_LINK as MASSLESS_LINK

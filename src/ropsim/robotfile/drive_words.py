@@ -2,6 +2,7 @@
 
 from ropsim.core import frozen_dataclass
 from ropsim.model import (
+    COPPER,
     WRITTEN,
     BacklashGear,
     CurrentLimitedAmplifier,
@@ -12,6 +13,7 @@ from ropsim.model import (
     Elastic,
     Friction,
     FrictionLaw,
+    GuardedAmplifier,
     Hydraulic,
     HydraulicCylinder,
     HydraulicMotor,
@@ -20,6 +22,7 @@ from ropsim.model import (
     LoadFriction,
     LugreFriction,
     StribeckFriction,
+    ThermalDcMotor,
     ValveAmplifier,
     VoltageAmplifier,
     pin_at,
@@ -48,6 +51,8 @@ def drive_keys(drive: Drive, frames: PinFrames) -> dict[str, str] | None:
             most = drive.amplifier.max_voltage, drive.amplifier.max_current
             limits = "true" if isinstance(drive.amplifier, CurrentLimitedAmplifier) else ""
             keys = _dc(drive.motor, most) | {"limits_current": limits}
+        case GuardedAmplifier(voltage, current, rise), ThermalDcMotor():
+            keys = _dc(drive.motor, (voltage, current)) | _heat(drive.motor, rise)
         case EffortAmplifier(most_torque), CurrentLoopMotor(max_voltage=voltage, max_current=current):
             own = {
                 "current_bandwidth": number(drive.motor.bandwidth),
@@ -72,7 +77,7 @@ def drive_keys(drive: Drive, frames: PinFrames) -> dict[str, str] | None:
     return keys | _gear(drive) | _friction(drive.friction)
 
 
-def _dc(motor: DcMotor | CurrentLoopMotor, most: tuple[float, float]) -> dict[str, str]:
+def _dc(motor: DcMotor | ThermalDcMotor | CurrentLoopMotor, most: tuple[float, float]) -> dict[str, str]:
     return {
         "kind": text("dc"),
         "torque_constant": number(motor.torque_constant),
@@ -82,6 +87,19 @@ def _dc(motor: DcMotor | CurrentLoopMotor, most: tuple[float, float]) -> dict[st
         "rotor_inertia": number(motor.rotor_inertia),
         "max_voltage": number(most[0]),
         "max_current": number(most[1]),
+    }
+
+
+def _heat(motor: ThermalDcMotor, rise: float) -> dict[str, str]:
+    return {
+        "winding_thermal_resistance": number(motor.winding_thermal_resistance),
+        "housing_thermal_resistance": number(motor.housing_thermal_resistance),
+        "winding_time_constant": number(motor.winding_time_constant),
+        "housing_time_constant": number(motor.housing_time_constant),
+        "resistance_drift": unless(motor.resistance_drift, COPPER),
+        "torque_drift": unless(-motor.torque_drift, 0.0),
+        "start_rise": unless(motor.start_rise, 0.0),
+        "max_rise": unless(rise, 0.0),
     }
 
 

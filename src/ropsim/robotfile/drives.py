@@ -5,6 +5,7 @@ from math import inf
 from types import MappingProxyType
 
 from ropsim.model import (
+    COPPER,
     BacklashGear,
     CurrentLimitedAmplifier,
     CurrentLoopMotor,
@@ -15,11 +16,13 @@ from ropsim.model import (
     Friction,
     FrictionLaw,
     Gear,
+    GuardedAmplifier,
     HydraulicMotor,
     IdealMotor,
     LoadFriction,
     LugreFriction,
     StribeckFriction,
+    ThermalDcMotor,
     Transmission,
     ValveAmplifier,
     VoltageAmplifier,
@@ -38,6 +41,14 @@ CYLINDER = "cylinder"
 _LOW_SPEED, _EXPONENT = ("breakaway", "stribeck_speed"), "stribeck_exponent"
 _BRISTLES = ("bristle_stiffness", "bristle_damping")
 _APART = (("load_share", (*_LOW_SPEED, _EXPONENT, *_BRISTLES)), (_EXPONENT, _BRISTLES))
+_HEAT = (
+    "winding_thermal_resistance",
+    "housing_thermal_resistance",
+    "winding_time_constant",
+    "housing_time_constant",
+)
+_DRIFT = NUMBER.within(0.0, 4.9e-3)
+_HOTTEST = 200.0
 _MOST_LOAD_SHARE = 0.99
 _SMOOTHING = 5e-3  # [rad/s | m/s], far below any programmed speed
 
@@ -87,9 +98,28 @@ def _dc(table: TomlTable, transmission: Transmission, friction: FrictionLaw) -> 
     most = [table.number(key, _POSITIVE, 1.0) for key in ("max_voltage", "max_current")]
     if "current_bandwidth" in table:
         return Drive(*_in_loop(table, motor, most), transmission, friction)
+    if table.values.keys() & {*_HEAT, "max_rise"}:
+        amplifier, warm = _warm(table, motor, most)
+        return Drive(amplifier, warm, transmission, friction)
     limited = table.flag("limits_current", default=False)
     make = CurrentLimitedAmplifier if limited else VoltageAmplifier
     return Drive(make(most[0], most[1]), motor, transmission, friction)
+
+
+def _warm(table: TomlTable, motor: DcMotor, most: list[float]) -> tuple[GuardedAmplifier, ThermalDcMotor]:
+    """Return a motor that grows warm, and the amplifier that watches it; arguments as of `_in_loop`."""
+    table.require(*_HEAT)
+    constants = (motor.torque_constant, motor.back_emf_constant, motor.resistance, motor.inductance)
+    rise = table.number("max_rise", NUMBER.within(1.0, _HOTTEST), inf)
+    made = ThermalDcMotor(
+        *constants,
+        motor.rotor_inertia,
+        resistance_drift=table.number("resistance_drift", _DRIFT, COPPER),
+        torque_drift=-table.number("torque_drift", _DRIFT, 0.0),
+        start_rise=table.number("start_rise", NUMBER.within(0.0, _HOTTEST), 0.0),
+        **{key: table.number(key, _POSITIVE, 1.0) for key in _HEAT},
+    )
+    return GuardedAmplifier(most[0], most[1], rise), made
 
 
 def _in_loop(table: TomlTable, motor: DcMotor, most: list[float]) -> tuple[EffortAmplifier, CurrentLoopMotor]:

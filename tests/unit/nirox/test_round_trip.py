@@ -24,6 +24,7 @@ from ropsim.model import (
     Friction,
     FrictionLaw,
     Gear,
+    GuardedAmplifier,
     HydraulicMotor,
     JointType,
     LoadFriction,
@@ -37,6 +38,7 @@ from ropsim.model import (
     Shape,
     Sphere,
     StribeckFriction,
+    ThermalDcMotor,
     ValveAmplifier,
     VoltageAmplifier,
     beside,
@@ -161,6 +163,16 @@ def test_motors_in_current_loops_come_back(effort: float) -> None:
     assert found.drives[0].motor == motor
     own = motor.torque_constant * motor.max_current
     assert found.drives[0].amplifier == EffortAmplifier(min(effort, own))
+
+
+@pytest.mark.parametrize("rise", [100.0, inf])
+def test_motors_that_grow_warm_come_back(rise: float) -> None:
+    robot = robots.load("two_link")
+    motor = ThermalDcMotor(0.1, 0.11, 0.9, 1e-3, 2e-4, 0.6, 2.4, 20.0, 900.0, 3.9e-3, -2e-3, 30.0)
+    drive = Drive(GuardedAmplifier(48.0, 9.0, rise), motor, Gear(-60.0))
+    plain = replace(drive, motor=replace(motor, torque_drift=0.0, start_rise=0.0))
+    changed = replace(robot, drives=(drive, plain))
+    assert again(changed) == changed
 
 
 def test_gears_with_play_come_back() -> None:

@@ -1,6 +1,7 @@
 """Robot files: the same arm as built in, both conventions, and what a row leaves out."""
 
 from dataclasses import replace
+from math import inf
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from ropsim.model import (
     ElasticGear,
     Friction,
     FrictionLaw,
+    GuardedAmplifier,
     HydraulicMotor,
     JointType,
     Linkage,
@@ -23,6 +25,7 @@ from ropsim.model import (
     LugreFriction,
     RobotModel,
     StribeckFriction,
+    ThermalDcMotor,
     ValveAmplifier,
     audit,
     capsule,
@@ -191,6 +194,23 @@ def test_a_motor_may_be_in_a_current_loop(more: str, torque: float) -> None:
     amplifier = robot.drives[0].amplifier
     assert isinstance(amplifier, EffortAmplifier)
     assert amplifier.max_effort == pytest.approx(torque)
+    assert arm(write_robot_file(robot).text).drives == robot.drives
+
+
+def test_a_motor_may_grow_warm() -> None:
+    row = (
+        '{ kind = "dc", ratio = 50, torque_constant = 0.1, resistance = 0.9, inductance = 1e-3, '
+        "rotor_inertia = 2e-4, max_voltage = 48, max_current = 9, winding_thermal_resistance = 0.6, "
+        "housing_thermal_resistance = 2.4, winding_time_constant = 20, housing_time_constant = 900"
+    )
+    more = f"{row}, torque_drift = 2e-3, resistance_drift = 4e-3, start_rise = 30, max_rise = 100 }}"
+    robot = arm(f"mass = 12\ndrives = [{row} }}, {more}]\n" + TWO_JOINTS)
+    first = ThermalDcMotor(0.1, 0.1, 0.9, 1e-3, 2e-4, 0.6, 2.4, 20.0, 900.0)
+    assert robot.drives[0].motor == first
+    assert robot.drives[0].amplifier == GuardedAmplifier(48.0, 9.0, inf)
+    second = replace(first, torque_drift=-2e-3, resistance_drift=4e-3, start_rise=30.0)
+    assert robot.drives[1].motor == second
+    assert robot.drives[1].amplifier == GuardedAmplifier(48.0, 9.0, 100.0)
     assert arm(write_robot_file(robot).text).drives == robot.drives
 
 

@@ -12,6 +12,7 @@ from ropsim.model import (
     HydraulicMotor,
     Linkage,
     RobotModel,
+    ThermalDcMotor,
 )
 
 NO_DRIVES = "drives: none known, the arm is exactly where it is told to be"
@@ -47,6 +48,8 @@ def _kind(drive: Drive) -> str:
             return f"hydraulic motors at servo valves, {gears}"
         case CurrentLoopMotor():
             return f"motors in current loops, {gears}"
+        case ThermalDcMotor():
+            return f"DC motors that grow warm, {gears}"
         case DcMotor():
             return f"DC motors, {gears}"
         case _:

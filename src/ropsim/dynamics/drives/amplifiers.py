@@ -49,6 +49,18 @@ CURRENT_LIMITED = AmplifierBlock(
     ),
     _within,
 )
+GUARDED = AmplifierBlock(
+    InputKind.VOLTAGE,
+    ("max_voltage",),
+    ("max_voltage", "max_current", "max_rise"),
+    Column("voltage", "V", "motor voltage"),
+    _clipped,
+    (
+        Limit("current", LimitSort.PEAK, "max_current"),
+        Limit("winding_rise", LimitSort.PEAK, "max_rise"),
+        Limit("voltage", LimitSort.LASTING, "max_voltage"),
+    ),
+)
 VALVE = AmplifierBlock(
     InputKind.CURRENT,
     ("max_input",),

@@ -5,6 +5,7 @@ from math import inf, isfinite
 from ropsim.dynamics.drives.chain import chain_of
 from ropsim.model import (
     Drive,
+    GuardedAmplifier,
     Hydraulic,
     HydraulicCylinder,
     HydraulicMotor,
@@ -13,12 +14,13 @@ from ropsim.model import (
     Linkage,
     LugreFriction,
     StribeckFriction,
+    ThermalDcMotor,
 )
 
 Fault = tuple[str, str]
 """Impossible value of a drive, and the reason."""
 
-_OPEN = frozenset({"max_effort", "max_current"})
+_OPEN = frozenset({"max_effort", "max_current", "max_rise"})
 """Limits that may be infinite."""
 
 
@@ -32,6 +34,8 @@ def drive_fault(drive: Drive) -> Fault | None:
     if chain.motor.takes is not chain.amplifier.kind:
         takes, gives = chain.motor.takes.value, chain.amplifier.kind.value
         return "the motor", f"takes {takes}, but its amplifier puts out {gives}"
+    if isinstance(drive.amplifier, GuardedAmplifier) is not isinstance(drive.motor, ThermalDcMotor):
+        return "the amplifier", "and the motor do not go together; it is one that is watched, or none of both"
     if isinstance(drive.motor, HydraulicCylinder) is not isinstance(drive.transmission, Linkage):
         return (
             "the transmission",
@@ -54,6 +58,8 @@ def drive_fault(drive: Drive) -> Fault | None:
         found := _hydraulic_fault(drive.motor)
     ):
         return found
+    if isinstance(drive.motor, ThermalDcMotor) and (found := _thermal_fault(drive.motor)):
+        return found
     if isinstance(drive.friction, StribeckFriction | LugreFriction) and (
         found := _breakaway_fault(drive.friction)
     ):
@@ -61,6 +67,16 @@ def drive_fault(drive: Drive) -> Fault | None:
     if chain.transmission.states and not drive.motor.rotor_inertia > 0.0:
         found_inertia = f"is `{drive.motor.rotor_inertia}`; behind an elastic gear it must be positive"
         return "`rotor_inertia`", found_inertia
+    return None
+
+
+def _thermal_fault(motor: ThermalDcMotor) -> Fault | None:
+    if not motor.resistance_drift >= 0.0:
+        return "`resistance_drift`", f"is `{motor.resistance_drift}`; it must be 0 or more"
+    if not -1e-2 <= motor.torque_drift <= 0.0:
+        return "`torque_drift`", f"is `{motor.torque_drift}`; it must be between -0.01 and 0"
+    if not 0.0 <= motor.start_rise * -motor.torque_drift < 1.0 or not motor.start_rise >= 0.0:
+        return "`start_rise`", f"is `{motor.start_rise}`; it must be 0 or more, and leave the motor torque"
     return None
 
 

@@ -31,7 +31,7 @@ VALVE_NUMBERS = (
 """Attributes of a hydraulic motor or cylinder in these formulas."""
 VALVE_POSITIVE = (*VALVE_NUMBERS[1:4], *VALVE_NUMBERS[6:])
 """Those that are positive."""
-MOST_OPENING = 1024.0
+MOST_OPENING = 100.0
 """Openings beyond this are looked for nowhere."""
 _HALVINGS = 60
 LEAST_CLOSED = 1e-12

@@ -116,9 +116,10 @@ def largest_effort(drive: Drive, q: float) -> float:
 def _bound(drive: Drive, limits: Sequence[Limit]) -> float:
     """Return the effort at which the first of some limits of a drive is reached at standstill."""
     chain = chain_of(drive)
-    unit = steady_drive(drive, 0.0, 0.0, 1.0)
+    unit, free = (steady_drive(drive, 0.0, 0.0, effort) for effort in (1.0, 0.0))
     columns = (*chain.states, chain.amplifier.output)
-    share = dict(zip((column.name for column in columns), (*unit.states, unit.output), strict=True))
+    pairs = zip((*unit.states, unit.output), (*free.states, free.output), strict=True)
+    share = dict(zip((column.name for column in columns), (one - none for one, none in pairs), strict=True))
     bounds = (
         getattr(drive.amplifier, limit.number) / abs(share[limit.column])
         for limit in limits

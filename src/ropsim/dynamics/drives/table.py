@@ -1,6 +1,6 @@
 """The blocks of all records that a drive can be made of: a new one is a file and an entry here."""
 
-from ropsim.dynamics.drives.amplifiers import CURRENT_LIMITED, EFFORT, VALVE, VOLTAGE
+from ropsim.dynamics.drives.amplifiers import CURRENT_LIMITED, EFFORT, GUARDED, VALVE, VOLTAGE
 from ropsim.dynamics.drives.backlash_gear import BACKLASH_GEAR
 from ropsim.dynamics.drives.block import (
     AmplifierBlock,
@@ -20,6 +20,7 @@ from ropsim.dynamics.drives.hydraulic_cylinder import HYDRAULIC_CYLINDER
 from ropsim.dynamics.drives.hydraulic_motor import HYDRAULIC_MOTOR
 from ropsim.dynamics.drives.ideal_motor import IDEAL_MOTOR
 from ropsim.dynamics.drives.linkage import LINKAGE
+from ropsim.dynamics.drives.thermal_motor import THERMAL_MOTOR
 from ropsim.model import (
     BacklashGear,
     CurrentLimitedAmplifier,
@@ -29,6 +30,7 @@ from ropsim.model import (
     ElasticGear,
     Friction,
     Gear,
+    GuardedAmplifier,
     HydraulicCylinder,
     HydraulicMotor,
     IdealMotor,
@@ -36,6 +38,7 @@ from ropsim.model import (
     LoadFriction,
     LugreFriction,
     StribeckFriction,
+    ThermalDcMotor,
     ValveAmplifier,
     VoltageAmplifier,
 )
@@ -43,11 +46,13 @@ from ropsim.model import (
 AMPLIFIERS: dict[type, AmplifierBlock] = {
     VoltageAmplifier: VOLTAGE,
     CurrentLimitedAmplifier: CURRENT_LIMITED,
+    GuardedAmplifier: GUARDED,
     EffortAmplifier: EFFORT,
     ValveAmplifier: VALVE,
 }
 MOTORS: dict[type, MotorBlock] = {
     DcMotor: DC_MOTOR,
+    ThermalDcMotor: THERMAL_MOTOR,
     CurrentLoopMotor: CURRENT_LOOP,
     IdealMotor: IDEAL_MOTOR,
     HydraulicMotor: HYDRAULIC_MOTOR,

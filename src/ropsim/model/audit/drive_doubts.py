@@ -10,6 +10,7 @@ from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.model.drives.current_loop import CurrentLoopMotor
 from ropsim.model.drives.drive import DcMotor
 from ropsim.model.drives.hydraulics import HydraulicCylinder, HydraulicMotor
+from ropsim.model.drives.thermal_motor import ThermalDcMotor
 from ropsim.model.findings.doubt_diagnostics import UNLIKELY_DRIVE
 from ropsim.model.findings.place import Attribute, AuditPlace, PlaceOf
 from ropsim.model.mechanism.mechanism import Mechanism
@@ -63,6 +64,7 @@ _OF_DC_MOTORS = {
 _USUAL = {
     DcMotor: _OF_DC_MOTORS,
     CurrentLoopMotor: _OF_DC_MOTORS,
+    ThermalDcMotor: _OF_DC_MOTORS,
     HydraulicMotor: _OF_HYDRAULICS | _OF_MOTORS,
     HydraulicCylinder: _OF_HYDRAULICS | _OF_CYLINDERS,
 }

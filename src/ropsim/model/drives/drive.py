@@ -8,6 +8,7 @@ from ropsim.model.drives.current_loop import CurrentLoopMotor
 from ropsim.model.drives.friction import Friction, FrictionLaw
 from ropsim.model.drives.hydraulics import HydraulicCylinder, HydraulicMotor
 from ropsim.model.drives.linkage import Linkage
+from ropsim.model.drives.thermal_motor import GuardedAmplifier, ThermalDcMotor
 
 
 class InputKind(StrEnum):
@@ -145,8 +146,8 @@ class BacklashGear:
 
 
 Elastic = ElasticGear | BacklashGear
-Amplifier = VoltageAmplifier | CurrentLimitedAmplifier | EffortAmplifier | ValveAmplifier
-Motor = DcMotor | CurrentLoopMotor | IdealMotor | HydraulicMotor | HydraulicCylinder
+Amplifier = VoltageAmplifier | CurrentLimitedAmplifier | GuardedAmplifier | EffortAmplifier | ValveAmplifier
+Motor = DcMotor | ThermalDcMotor | CurrentLoopMotor | IdealMotor | HydraulicMotor | HydraulicCylinder
 Transmission = Gear | Elastic | Linkage
 
 

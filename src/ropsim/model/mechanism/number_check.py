@@ -39,6 +39,7 @@ _RANGES_OF_DRIVES = MappingProxyType(
         "rotor_inertia": FROM_ZERO,
         "moving_mass": FROM_ZERO,
         "backlash": POSITIVE,
+        "max_rise": POSITIVE_OR_INFINITE,
     }
 )
 _RANGES_OF_JOINTS = MappingProxyType(

@@ -14,10 +14,12 @@ from ropsim.model import (
     Elastic,
     ElasticGear,
     Gear,
+    GuardedAmplifier,
     IdealMotor,
     Joint,
     Linkage,
     Motor,
+    ThermalDcMotor,
     Transmission,
     VoltageAmplifier,
 )
@@ -137,7 +139,43 @@ def _motor(seen: Seen, train: int, at_input: float, number: int) -> tuple[Amplif
         looped = CurrentLoopMotor(*constants, made.rotor_inertia, *most, seen.real(loop, "bandwidth"))
         told = seen.real(loop, "max_effort", made.torque_constant * most[1])
         return EffortAmplifier(told), looped
+    heat = seen.user(motor, "motor_heat", "motor")
+    if heat is not None:
+        return _warm(seen, heat, made, most, number)
     return (CurrentLimitedAmplifier(*most) if limits else VoltageAmplifier(*most)), made
+
+
+def _warm(
+    seen: Seen, heat: int, motor: DcMotor, most: tuple[float, float], number: int
+) -> tuple[GuardedAmplifier, ThermalDcMotor]:
+    """Return a motor that grows warm, and the amplifier that watches it.
+
+    Args:
+        seen: the file.
+        heat: the entity that says so.
+        motor: by itself.
+        most: largest voltage and current [V, A].
+        number: of the joint.
+    """
+    seen.take(heat, "motor", number, "heat")
+    fade, start = seen.real(heat, "torque_drift"), seen.real(heat, "start_rise")
+    if fade > 1e-2 or fade * start >= 1.0:
+        raise seen.impossible(heat, f"`torque_drift` is {fade:g}, allowed is up to 0.01, and to leave torque")
+    made = ThermalDcMotor(
+        motor.torque_constant,
+        motor.back_emf_constant,
+        motor.resistance,
+        motor.inductance,
+        motor.rotor_inertia,
+        seen.real(heat, "winding_resistance"),
+        seen.real(heat, "housing_resistance"),
+        seen.real(heat, "winding_time_constant"),
+        seen.real(heat, "housing_time_constant"),
+        seen.real(heat, "resistance_drift"),
+        0.0 - fade,
+        start,
+    )
+    return GuardedAmplifier(*most, seen.real(heat, "max_rise", inf)), made
 
 
 def _transmission(seen: Seen, through: int, pair: int, number: int) -> tuple[Gear | Elastic, float]:

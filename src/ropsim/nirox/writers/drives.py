@@ -13,11 +13,13 @@ from ropsim.model import (
     EffortAmplifier,
     Elastic,
     Gear,
+    GuardedAmplifier,
     HydraulicCylinder,
     HydraulicMotor,
     IdealMotor,
     Linkage,
     RobotModel,
+    ThermalDcMotor,
     ValveAmplifier,
     VoltageAmplifier,
 )
@@ -73,6 +75,10 @@ def _joined(drive: Drive) -> bool:
             return False
         case _, HydraulicMotor() | HydraulicCylinder():
             return False
+        case GuardedAmplifier(), ThermalDcMotor():
+            return True
+        case (GuardedAmplifier(), _) | (_, ThermalDcMotor()):
+            return False
     return isinstance(drive.amplifier, EffortAmplifier) is isinstance(
         drive.motor, IdealMotor | CurrentLoopMotor
     )
@@ -105,6 +111,14 @@ def _motor(building: Building, number: int, name: str, drive: Drive) -> tuple[Re
     key, motor, amplifier = ("motor", number), drive.motor, drive.amplifier
     if isinstance(motor, HydraulicMotor | HydraulicCylinder):
         return write_hydraulic(building, number, name, motor)
+    if isinstance(motor, ThermalDcMotor) and isinstance(amplifier, GuardedAmplifier):
+        made = _dc_motor(building, number, name, motor, (amplifier.max_voltage, amplifier.max_current))
+        bodies = (motor.winding_thermal_resistance, motor.housing_thermal_resistance)
+        times = (motor.winding_time_constant, motor.housing_time_constant)
+        drifts = (motor.resistance_drift, 0.0 - motor.torque_drift, motor.start_rise)
+        numbers = tuple(map(float, (*bodies, *times, *drifts)))
+        building.add((*key, "heat"), "MOTOR_HEAT", made, *numbers, bounded(amplifier.max_rise))
+        return made, UNSET
     if isinstance(motor, DcMotor) and isinstance(amplifier, VoltageAmplifier | CurrentLimitedAmplifier):
         most = amplifier.max_voltage, amplifier.max_current
         made = _dc_motor(building, number, name, motor, most)
@@ -126,7 +140,7 @@ def _dc_motor(
     building: Building,
     number: int,
     name: str,
-    motor: DcMotor | CurrentLoopMotor,
+    motor: DcMotor | ThermalDcMotor | CurrentLoopMotor,
     most: tuple[float, float],
 ) -> Reference:
     """Make a DC motor with its largest voltage and current."""
