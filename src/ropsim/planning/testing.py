@@ -1,5 +1,6 @@
 """Door for tests: names behind the front of the package. Production code does not import it."""
 
+from ropsim.planning.achieved import reached_speeds as reached_speeds
 from ropsim.planning.achieved.zones import stopped as stopped
 from ropsim.planning.blends.blend import Blend as Blend
 from ropsim.planning.blends.blend import CartesianBlend as CartesianBlend

@@ -162,7 +162,7 @@ def posture_change(
         f"the posture changes on the way: {changes}",
         label=passes(move.origin),
         hint="the posture of the start does not reach the target within the joint limits",
-        data=move.origin.data,
+        data={"cause": changes, **move.origin.data},
     )
     return (finding,)
 

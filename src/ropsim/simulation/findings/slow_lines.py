@@ -75,7 +75,8 @@ def _of_line(passes: Sequence[_Slow]) -> Diagnostic:
     worst, reached = _speaking(passes)
     point = worst.origin.point if worst.origin else None
     to = f" to {point}" if point else ""
-    some = f"in {len(passes)} passes it takes" if len(passes) > 1 else "it takes"
+    several = f"{len(passes)} moves of this line take" if point else f"in {len(passes)} passes it takes"
+    some = several if len(passes) > 1 else "it takes"
     words = f"this move of {_millimetres(reached.length)}{to} {_speed(worst, reached)}: {_why(reached)}"
     if len(passes) >= CHAIN:
         way = math.fsum(one.length for _, one in passes)
