@@ -8,6 +8,9 @@ from ropsim.planning.blends.blend import JointSpaceBlend as JointSpaceBlend
 from ropsim.planning.blends.blend import Stop as Stop
 from ropsim.planning.blends.blend import blend_between as blend_between
 from ropsim.planning.blends.joined_ends import joined_to as joined_to
+from ropsim.planning.blends.move_curves import may_be_slower as may_be_slower
+from ropsim.planning.blends.move_curves import with_curves as with_curves
+from ropsim.planning.blends.short_line_chains import chains_of as chains_of
 from ropsim.planning.blends.zone_search import tcp_path_of as tcp_path_of
 from ropsim.planning.entity_checks.path_derivatives import wrong_joint_derivatives as wrong_joint_derivatives
 from ropsim.planning.entity_checks.path_derivatives import wrong_tool_derivatives as wrong_tool_derivatives
@@ -98,6 +101,7 @@ from ropsim.planning.stops.quicker_stops import quicker_stops as quicker_stops
 from ropsim.planning.trajectory.sections import Section as Section
 from ropsim.planning.trajectory.sections import section_of as section_of
 from ropsim.planning.trajectory.sections import sections_of as sections_of
+from ropsim.planning.trajectory.segments import PathSegment as PathSegment
 from ropsim.planning.trajectory.segments import segments_of as segments_of
 from ropsim.planning.trajectory.timing import Timing as Timing
 from ropsim.planning.trajectory.timing import timing_of as timing_of

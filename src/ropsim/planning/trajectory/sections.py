@@ -138,17 +138,20 @@ def _quickest(
     same for all programmed speeds, so that raising these takes no choice away; at last those of little more
     than the speeds that are reached with the quickest.
     """
-    first = section_of(path_segments, over, rules)
-    most = max(len(path_segment.gentler) for path_segment in path_segments)
-    if not most:
-        return _refined(first, rules)
-    found = [first]
+    found = [section_of(path_segments, over, rules)]
     found += (
-        section_of([_gentler(one, number) for one in path_segments], over, rules) for number in range(most)
+        section_of([_gentler(one, number) for one in path_segments], over, rules)
+        for number in range(max(len(path_segment.gentler) for path_segment in path_segments))
     )
     best = min(found, key=_duration)
-    found += (section_of(_below(path_segments, speed), over, rules) for speed in _ladder(path_segments, best))
-    return _refined(min(found, key=_duration), rules)
+    if not any(one.bend for one in path_segments):
+        return best
+    slower = (section_of(_below(path_segments, speed), over, rules) for speed in _ladder(path_segments, best))
+    first, *others = _MORE
+    best = min((_refined(one, first, rules) for one in (best, *slower)), key=_duration)
+    for more in others:
+        best = _refined(best, more, rules)
+    return best
 
 
 def _duration(part: Section) -> float:
@@ -156,7 +159,7 @@ def _duration(part: Section) -> float:
 
 
 def _ladder(path_segments: Sequence[PathSegment], part: Section) -> list[float]:
-    """Return speeds that are tried as bounds in bends, near the greatest one of a section."""
+    """Return speeds that are tried as bounds in bends, near the greatest one that is reached."""
     reached = float(part.law.speeds.max())
     bounds = [float(one.path_limits.bounds[:, 0].max()) for one in path_segments if one.bend and one.gentler]
     lowest, highest = _LOWEST * reached, min(_HIGHEST * reached, max(bounds, default=0.0))
@@ -178,16 +181,18 @@ def _below(path_segments: Sequence[PathSegment], speed: float) -> list[PathSegme
     ]
 
 
-def _refined(part: Section, rules: TimingRules) -> Section:
-    """Return a section that is quicker as its bends leave more for changes of speed.
+def _refined(part: Section, more: float, rules: TimingRules) -> Section:
+    """Return a section that is quicker as its bends leave more for changes of speed, or the same.
 
     Bends are passed more slowly than they allow where the tool has to slow down before or behind. With bounds
     for little more than the speeds that it has there, more acceleration and jerk are left along the path.
+
+    Args:
+        part: the section.
+        more: multiple of these speeds that is allowed.
+        rules: time law and look-ahead.
     """
-    for more in _MORE if any(one.bend for one in part.path_segments) else ():
-        other = section_of(_at_own_speeds(part, more), part.over, rules)
-        part = min(part, other, key=_duration)
-    return part
+    return min(part, section_of(_at_own_speeds(part, more), part.over, rules), key=_duration)
 
 
 def _at_own_speeds(part: Section, more: float) -> list[PathSegment]:

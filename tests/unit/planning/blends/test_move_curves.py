@@ -7,10 +7,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-from ropsim.flow import ModalState, SpeedCause
+from ropsim.flow import ModalState, PathTracking, SpeedCause
 from ropsim.kinematics import forward_batch
 from ropsim.model import LookAhead, ShortLines
-from ropsim.planning import MotionPlan, MotionState, plan
+from ropsim.motion import end_of
+from ropsim.planning import MotionChain, MotionPlan, MotionState, plan
+from ropsim.planning.testing import (
+    PlannedMove,
+    chains_of,
+    may_be_slower,
+    sequence_moves,
+    with_curves,
+)
 from ropsim.spatial import Array, Pose
 from support.motion import references
 from support.short_lines import (
@@ -187,6 +195,38 @@ def test_a_chain_ends_where_its_moves_differ(change: dict[str, Any]) -> None:
     places = positions_of(IRB, done)
     off = float(np.linalg.norm(places - points[20], axis=1).min())
     assert off < {"zone": 1e-9, "path_speed": 1e-4, "X_MT": 2e-3}[next(iter(change))]
+
+
+def planned(chain: MotionChain, points: Array, *tracked: int, zone: float = 0.001) -> list[PlannedMove]:
+    """Return the planned lines through points; a sensor corrects those of the numbers."""
+    moves = list(lines(points, zone, 0.3))
+    for number in tracked:
+        moves[number] = replace(moves[number], tracking=PathTracking("height", 0.01))
+    found, refusal = sequence_moves(chain, moves, (), start_of(chain, Pose(points[0], np.array(DOWN))))
+    assert refusal is None
+    return found
+
+
+def test_a_line_that_a_sensor_corrects_is_on_no_curve() -> None:
+    moves = planned(IRB, wave(0.0025, 20), 8)
+    assert chains_of(IRB, moves) == [(0, 8), (9, 20)]
+
+
+@pytest.mark.parametrize(("count", "short"), [(5, True), (9, True), (10, False), (20, False)])
+def test_a_curve_of_fewer_than_ten_moves_may_be_slower_than_its_corners(count: int, short: bool) -> None:
+    moves = with_curves(IRB, planned(IRB, wave(0.0025, count)))
+    assert all(move.on_curve is not None for move in moves)
+    assert may_be_slower(moves) == short
+
+
+def test_joints_with_a_choice_end_on_a_curve_where_the_lines_end() -> None:
+    """Followed along the curve, seven joints come 3e-5 rad away from where they come line by line."""
+    chain, angle = chain_with_limits("panda"), np.arange(100) / 6.0
+    round_it = np.column_stack((np.cos(angle), np.sin(angle), 0.3 * np.sin(1.7 * angle)))
+    last = with_curves(chain, planned(chain, 0.03 * round_it + np.array((0.45, 0.15, 0.35)), zone=0.004))[-1]
+    assert last.on_curve is not None
+    off = np.abs(end_of(last.on_curve.curve.joints) - last.q_end)
+    assert off.max() <= 1e-6
 
 
 @pytest.mark.parametrize("twice", [0, 7])

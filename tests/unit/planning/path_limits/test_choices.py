@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from ropsim.motion import ArcFault, JointLine, SplineFault, ToolLimits, ToolPath, arc, plan_time_law, spline
-from ropsim.planning.testing import sections_of, tool_path_limit_choices, tool_path_limits
-from ropsim.planning.trajectory.segments import PathSegment
+from ropsim.planning.testing import PathSegment, sections_of, tool_path_limit_choices, tool_path_limits
 from ropsim.spatial import Pose
 from support.examples import examples
 from support.motion import RULES
