@@ -95,7 +95,7 @@ from ropsim.planning.records.sampling import MOST_DENSITY as MOST_DENSITY
 from ropsim.planning.records.sampling import SMOOTH as SMOOTH
 from ropsim.planning.sequence_checks import with_correction as with_correction
 from ropsim.planning.sequence_moves import sequence_moves as sequence_moves
-from ropsim.planning.stops.quicker_stops import Span as Span
+from ropsim.planning.stops.quicker_stops import Stretch as Stretch
 from ropsim.planning.stops.quicker_stops import Times as Times
 from ropsim.planning.stops.quicker_stops import quicker_stops as quicker_stops
 from ropsim.planning.trajectory.sections import Section as Section

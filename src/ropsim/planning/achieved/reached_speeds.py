@@ -5,13 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from ropsim.core import Span as TextSpan
+from ropsim.core import Span
 from ropsim.flow import LimitQuantity, MotionKind, ReachedSpeed, SpeedCause
 from ropsim.kinematics import near_singularity
 from ropsim.model import RobotModel
 from ropsim.motion import Quantity, RetimedTrajectory, Slowed, ToolLimits
 from ropsim.planning.achieved.helpful_limits import AchievedMotion, helpful_limits
-from ropsim.planning.achieved.spans import Span, spans_of, times_at
+from ropsim.planning.achieved.moves_on_sections import MoveOnSection, moves_on, times_at
 from ropsim.planning.achieved.tool_causes import SAMPLES, SLOW, tool_cause, turn_of
 from ropsim.planning.joint_limits.retiming import Retiming
 from ropsim.planning.moves.planned_move import PlannedMove
@@ -35,7 +35,7 @@ _MOST_LOOKED_AT = 6
 """Lines or curves of a sequence for which planning looks for what helps."""
 
 
-_TimedSpan = tuple[TimedSection, Span, tuple[float, float]]
+_TimedSpan = tuple[TimedSection, MoveOnSection, tuple[float, float]]
 """A move on its section, and the times from the start of that on at which it begins and ends [s]."""
 
 
@@ -52,7 +52,7 @@ class _Slow:
     """
 
     section: TimedSection
-    span: Span
+    span: MoveOnSection
     phi: tuple[float, float]
     time: float
     lost: float
@@ -114,7 +114,7 @@ def reached_speeds(
 
 def _worst_by_line(moves: Sequence[PlannedMove], found: Mapping[int, ReachedSpeed]) -> list[int]:
     """Return the moves that lose most on the worst lines or curves, for causes made by limits of the path."""
-    alike: dict[tuple[TextSpan | int | None, SpeedCause], list[int]] = {}
+    alike: dict[tuple[Span | int | None, SpeedCause], list[int]] = {}
     for number, one in found.items():
         on_curve = moves[number].on_curve
         place = id(on_curve.curve) if on_curve else moves[number].move.origin.span
@@ -167,10 +167,10 @@ def _top(slow: _Slow, retimed: RetimedTrajectory, limits: ToolLimits) -> float:
     return min(float((slow.section.law.at(phi - slow.section.start).speeds * rates).max()), limits.speed)
 
 
-def _spans(timing: Timing) -> Iterator[tuple[TimedSection, tuple[Span, ...]]]:
+def _spans(timing: Timing) -> Iterator[tuple[TimedSection, tuple[MoveOnSection, ...]]]:
     """Yield the moves along paths of the tool by sections."""
     for section in timing.sections:
-        if spans := tuple(spans_of(section)):
+        if spans := tuple(moves_on(section)):
             yield section, spans
 
 
@@ -180,7 +180,7 @@ def _timed_spans(timing: Timing) -> Iterator[_TimedSpan]:
         yield from _timed(section, spans)
 
 
-def _timed(section: TimedSection, spans: Sequence[Span]) -> list[_TimedSpan]:
+def _timed(section: TimedSection, spans: Sequence[MoveOnSection]) -> list[_TimedSpan]:
     """Return moves of a section with the times from its start on at which they begin and end [s]."""
     at = times_at(section, np.array([(one.start, one.end) for one in spans]).ravel()).tolist()
     return [(section, span, (begin, end)) for span, begin, end in zip(spans, at[::2], at[1::2], strict=True)]
@@ -201,7 +201,9 @@ def _slow(
                 yield _Slow(section, span, (begin, end), time, time - most)
 
 
-def expected_times(spans: Sequence[Span], limits: Sequence[ToolLimits], rules: TimingRules) -> list[float]:
+def expected_times(
+    spans: Sequence[MoveOnSection], limits: Sequence[ToolLimits], rules: TimingRules
+) -> list[float]:
     """Return the times of moves on a section as on one straight line, without regard to joints [s].
 
     Args:

@@ -7,7 +7,7 @@ import numpy as np
 
 from ropsim.flow import SpeedCause
 from ropsim.motion import LawRows, ToolLimits, constant_derivatives
-from ropsim.planning.achieved.spans import Span
+from ropsim.planning.achieved.moves_on_sections import MoveOnSection
 from ropsim.planning.trajectory.segments import PathSegment
 from ropsim.planning.trajectory.timing import TimedSection
 
@@ -32,7 +32,7 @@ def law_samples(section: TimedSection, times: Sequence[float]) -> LawRows:
 
 
 def tool_cause(
-    section: TimedSection, span: Span, times: Sequence[float], limits: ToolLimits
+    section: TimedSection, span: MoveOnSection, times: Sequence[float], limits: ToolLimits
 ) -> tuple[SpeedCause, float, float]:
     """Return the cause, the bound that counts, and the angle of the corner [rad], see `ReachedSpeed`.
 
@@ -110,7 +110,7 @@ def _cause(
     return SpeedCause.ACCELERATION if abs(acceleration) >= _REACHED * most_acceleration else SpeedCause.JERK
 
 
-def _value(cause: SpeedCause, span: Span, limits: ToolLimits) -> float:
+def _value(cause: SpeedCause, span: MoveOnSection, limits: ToolLimits) -> float:
     values = {
         SpeedCause.ACCELERATION: limits.acceleration,
         SpeedCause.JERK: limits.jerk,
@@ -122,7 +122,7 @@ def _value(cause: SpeedCause, span: Span, limits: ToolLimits) -> float:
     return values.get(cause, 0.0)
 
 
-def _least_radius(span: Span) -> float:
+def _least_radius(span: MoveOnSection) -> float:
     """Return the least radius of the way of a move without its blends [m], infinity of a straight one."""
     most = 0.0
     for path_segment, begin, end in span.parts:
@@ -133,7 +133,7 @@ def _least_radius(span: Span) -> float:
     return 1.0 / most if most > 0.0 else math.inf
 
 
-def turn_of(span: Span) -> float:
+def turn_of(span: MoveOnSection) -> float:
     """Return the angle by which the tool turns on the way of a move [rad]."""
     total = 0.0
     for path_segment, begin, end in span.parts:

@@ -16,7 +16,7 @@ _WORTH = 1e-6
 _RIGHT_ANGLE = 0.5 * math.pi + 1e-6
 """With some rounding [rad]."""
 
-Span = tuple[int, int]
+Stretch = tuple[int, int]
 """Number of the first move, and that behind the last one."""
 
 
@@ -29,8 +29,8 @@ class Times:
         exact: the time they take [s].
     """
 
-    least: Callable[[Span], float]
-    exact: Callable[[Span], float]
+    least: Callable[[Stretch], float]
+    exact: Callable[[Stretch], float]
 
 
 def quicker_stops(
@@ -83,7 +83,7 @@ def can_stop(blend: Blend | None) -> bool:
     return isinstance(blend, JointSpaceBlend)
 
 
-def _runs(blends: Sequence[Blend | None]) -> Iterator[Span]:
+def _runs(blends: Sequence[Blend | None]) -> Iterator[Stretch]:
     """Yield the moves between each two stops that pass a blend."""
     stops = [0, *(number + 1 for number, blend in enumerate(blends) if blend is None), len(blends) + 1]
     yield from ((first, last) for first, last in pairwise(stops) if last - first > 1)
@@ -109,7 +109,7 @@ def _shortest(nodes: Sequence[int], present: float, times: Times) -> list[int]:
         exact.update(unknown)
 
 
-def _least_path(nodes: Sequence[int], known: dict[Span, float], times: Times) -> list[Span]:
+def _least_path(nodes: Sequence[int], known: dict[Stretch, float], times: Times) -> list[Stretch]:
     """Return the edges of the shortest path by known times; lower bounds count for the others."""
     costs, before = [0.0], [0]
     for index, node in enumerate(nodes[1:], 1):

@@ -11,7 +11,7 @@ from ropsim.planning.blends.blend import Blend
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.joint_limits.retiming import retimed
 from ropsim.planning.moves.planned_move import PlannedMove
-from ropsim.planning.stops.quicker_stops import Span, Times
+from ropsim.planning.stops.quicker_stops import Stretch, Times
 from ropsim.planning.trajectory.sections import Section, TimingRules, sections_of
 from ropsim.planning.trajectory.segments import segments_of
 from ropsim.planning.trajectory.timing import Timing, timing_of
@@ -63,9 +63,9 @@ def tool_times(moves: Sequence[PlannedMove], blends: Sequence[Blend | None], rul
         blends: between each two of them.
         rules: time law and look-ahead.
     """
-    known: dict[Span, float] = {}
+    known: dict[Stretch, float] = {}
 
-    def time(span: Span) -> float:
+    def time(span: Stretch) -> float:
         if span not in known:
             known[span] = _timing(*_part(moves, blends, span), rules).duration
         return known[span]
@@ -92,7 +92,7 @@ def arm_times(
         ticks: of control.
     """
 
-    def time(span: Span) -> float:
+    def time(span: Stretch) -> float:
         timing = _timing(*_part(moves, blends, span), rules)
         return retimed(timing, arm, ticks, rules).duration
 
@@ -100,7 +100,7 @@ def arm_times(
 
 
 def _part(
-    moves: Sequence[PlannedMove], blends: Sequence[Blend | None], span: Span
+    moves: Sequence[PlannedMove], blends: Sequence[Blend | None], span: Stretch
 ) -> tuple[Sequence[PlannedMove], Sequence[Blend | None]]:
     first, last = span
     return moves[first:last], blends[first : last - 1]

@@ -8,7 +8,7 @@ import pytest
 
 from ropsim.model import Payload
 from ropsim.planning import MotionState, plan
-from ropsim.planning.testing import Blend, JointSpaceBlend, Span, Times, quicker_stops
+from ropsim.planning.testing import Blend, JointSpaceBlend, Stretch, Times, quicker_stops
 from support.walking_arms import chain as chain_of_walker
 from support.walks import cost_of_zones, hairpins, random_walk
 
@@ -52,7 +52,7 @@ class Table:
         random = np.random.default_rng(seed)
         self.moves = moves
         self.corners: list[Blend | None] = [ROUND] * (moves - 1)
-        self.asked: list[Span] = []
+        self.asked: list[Stretch] = []
         self._times = {
             (first, last): (last - first) * float(random.uniform(0.7, 1.1))
             for first in range(moves)
@@ -61,7 +61,7 @@ class Table:
         self._times[0, moves] = whole or self._times[0, moves]
         self._less = {span: time * float(random.uniform(0.6, 1.0)) for span, time in self._times.items()}
 
-    def exact(self, span: Span) -> float:
+    def exact(self, span: Stretch) -> float:
         self.asked.append(span)
         return self._times[span]
 
@@ -95,9 +95,9 @@ def test_no_more_is_planned_than_what_may_be_the_quickest() -> None:
 
 
 def test_only_corners_beside_a_move_that_takes_longer_are_looked_at() -> None:
-    asked: list[Span] = []
+    asked: list[Stretch] = []
 
-    def exact(span: Span) -> float:
+    def exact(span: Stretch) -> float:
         asked.append(span)
         return 0.9 * (span[1] - span[0])
 

@@ -1,4 +1,4 @@
-"""Spans of moves on paths of the tool: their parts of a section of a motion sequence."""
+"""Moves along paths of the tool on a section of a motion sequence, each with its parts of path segments."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -20,7 +20,7 @@ class Part(NamedTuple):
 
 
 @record
-class Span:
+class MoveOnSection:
     """A move on a section, from the middle of the blend before to the middle of its own.
 
     Attributes:
@@ -46,7 +46,7 @@ class Span:
         return tuple(one.path_segment for one in self.parts if one.path_segment.blend is not None)
 
 
-def spans_of(section: TimedSection) -> Iterator[Span]:
+def moves_on(section: TimedSection) -> Iterator[MoveOnSection]:
     """Yield the moves of a section whose TCP goes along a path of the tool, in order."""
     if not section.part.leads_tool or not section.part.has_path_limits:
         return
@@ -64,10 +64,10 @@ def spans_of(section: TimedSection) -> Iterator[Span]:
         yield found
 
 
-def _span(number: int, begin: float, end: float, parts: list[Part]) -> Span | None:
+def _span(number: int, begin: float, end: float, parts: list[Part]) -> MoveOnSection | None:
     """Return a span; None of no length, and where the parameter of a path is no length."""
     if end > begin and all(_is_arc_length(one.path_segment.tool) for one in parts):
-        return Span(number, begin, end, tuple(parts))
+        return MoveOnSection(number, begin, end, tuple(parts))
     return None
 
 
