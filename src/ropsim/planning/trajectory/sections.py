@@ -21,6 +21,8 @@ _MORE = 1.3, 1.2, 1.1
 """Multiples of the speeds in bends that bounds are fitted to, one time after the other."""
 _LADDER = 1.2
 """Ratio of neighbouring speeds that are tried as bounds in bends."""
+_REACHED = 0.98
+"""Share of the programmed speed from which on lower bounds are not tried: it is reached."""
 _LOWEST, _HIGHEST = 0.6, 1.5
 """Which of them are tried, as multiples of the greatest speed so far."""
 
@@ -163,7 +165,7 @@ def _ladder(path_segments: Sequence[PathSegment], part: Section) -> list[float]:
     reached = float(part.law.speeds.max())
     bounds = [float(one.path_limits.bounds[:, 0].max()) for one in path_segments if one.bend and one.gentler]
     lowest, highest = _LOWEST * reached, min(_HIGHEST * reached, max(bounds, default=0.0))
-    if not 0.0 < lowest < highest:
+    if not 0.0 < reached < _REACHED * highest:
         return []
     first, last = (log(speed) / log(_LADDER) for speed in (lowest, highest))
     return [_LADDER**number for number in range(ceil(first), floor(last) + 1)]
