@@ -17,6 +17,7 @@ from ropsim.model import (
     Hydraulic,
     HydraulicCylinder,
     HydraulicMotor,
+    HydraulicVane,
     IdealMotor,
     Linkage,
     LoadFriction,
@@ -67,6 +68,8 @@ def drive_keys(drive: Drive, frames: PinFrames) -> dict[str, str] | None:
             }
         case ValveAmplifier(most), HydraulicMotor():
             keys = _hydraulic(most, drive.motor)
+        case ValveAmplifier(most), HydraulicVane():
+            keys = _vane(most, drive.motor)
         case ValveAmplifier(most), HydraulicCylinder():
             if not isinstance(drive.transmission, Linkage):
                 return None
@@ -108,6 +111,18 @@ def _hydraulic(most: float, motor: HydraulicMotor) -> dict[str, str]:
         "kind": text("hydraulic"),
         "displacement": number(motor.displacement),
         "chamber_volume": number(motor.chamber_volume),
+        "rotor_inertia": unless(motor.rotor_inertia, 0.0),
+        **_valve(most, motor),
+    }
+
+
+def _vane(most: float, motor: HydraulicVane) -> dict[str, str]:
+    return {
+        "kind": text("vane"),
+        "displacement": number(motor.displacement),
+        "swing": number(motor.swing),
+        "first_angle": number(motor.first_angle),
+        "dead_volume": number(motor.dead_volume),
         "rotor_inertia": unless(motor.rotor_inertia, 0.0),
         **_valve(most, motor),
     }

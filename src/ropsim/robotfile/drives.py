@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping
 from math import inf
 from types import MappingProxyType
 
+from ropsim.dynamics import range_fault
 from ropsim.model import (
     COPPER,
     BacklashGear,
@@ -18,6 +19,7 @@ from ropsim.model import (
     Gear,
     GuardedAmplifier,
     HydraulicMotor,
+    HydraulicVane,
     IdealMotor,
     LoadFriction,
     LugreFriction,
@@ -36,6 +38,7 @@ from ropsim.tomltext import CONFLICTING_KEYS, NUMBER, VALUE_OUT_OF_RANGE, Quanti
 _POSITIVE = NUMBER.within(1e-9, 1e9)
 _FROM_ZERO = NUMBER.within(0.0, 1e9)
 _PLAY = NUMBER.within(0.0, 1.0)
+_ANGLE = NUMBER.within(-100.0, 100.0)
 _RATIO = NUMBER.within(-1e6, 1e6)
 CYLINDER = "cylinder"
 _LOW_SPEED, _EXPONENT = ("breakaway", "stribeck_speed"), "stribeck_exponent"
@@ -79,6 +82,11 @@ def _drive(table: TomlTable, dh: DhTable, number: int) -> Drive | None:
     transmission, friction = _transmission(table), read_friction(table)
     drive = _KINDS[kind](table, transmission, friction)
     table.finish()
+    if isinstance(drive.motor, HydraulicVane) and not table.missing:
+        fault = range_fault(drive, dh.joints[number])
+        if fault:
+            hint = "give another `first_angle`, `swing`, `ratio` or range of the joint"
+            table.findings.add(VALUE_OUT_OF_RANGE, table.value_span("swing"), " ".join(fault), hint)
     return drive
 
 
@@ -157,6 +165,20 @@ def _hydraulic(table: TomlTable, transmission: Transmission, friction: FrictionL
     return Drive(ValveAmplifier(most), motor, transmission, friction)
 
 
+def _vane(table: TomlTable, transmission: Transmission, friction: FrictionLaw) -> Drive:
+    """Return a rotary vane motor at a servo valve."""
+    sizes = ("displacement", "swing", "dead_volume")
+    table.require(*sizes, "first_angle", *VALVE_NEEDED)
+    motor = HydraulicVane(
+        first_angle=table.number("first_angle", _ANGLE, 0.0),
+        rotor_inertia=table.number("rotor_inertia", _FROM_ZERO, 0.0),
+        **{key: table.number(key, HYDRAULIC, 1.0) for key in sizes},
+        **read_valve(table),
+    )
+    most = table.number("max_input", HYDRAULIC, motor.rated_input)
+    return Drive(ValveAmplifier(most), motor, transmission, friction)
+
+
 def _transmission(table: TomlTable) -> Transmission:
     ratio = table.number("ratio", _RATIO, 1.0)
     if ratio == 0.0:
@@ -219,5 +241,5 @@ def _low_speed(table: TomlTable, allowed: Quantity) -> tuple[float, float, float
 
 
 _KINDS: Mapping[str, Callable[[TomlTable, Transmission, FrictionLaw], Drive]] = MappingProxyType(
-    {"dc": _dc, "servo": _servo, "hydraulic": _hydraulic}
+    {"dc": _dc, "servo": _servo, "hydraulic": _hydraulic, "vane": _vane}
 )

@@ -26,6 +26,7 @@ from ropsim.model import (
     Gear,
     GuardedAmplifier,
     HydraulicMotor,
+    HydraulicVane,
     JointType,
     LoadFriction,
     LoopCut,
@@ -210,6 +211,21 @@ HYDRAULIC = Drive(
 def test_hydraulic_drives_come_back() -> None:
     robot = replace(robots.load("two_link"), drives=(HYDRAULIC,) * 2)
     assert again(robot) == robot
+
+
+def test_vanes_come_back() -> None:
+    robot = robots.load("two_link")
+    valve = (1e-12, 0.1, 2.1e7, 2e5, 1.4e9, 6e-4, 7e6, 0.05, 630.0, 0.8, 860.0)
+    ends = [(-1.5 * one.upper, -1.5 * one.lower) for one in robot.joints]
+    vanes = [HydraulicVane(2e-4, last - first + 0.1, first - 0.04, 3e-5, *valve) for first, last in ends]
+    drives = tuple(replace(HYDRAULIC, motor=one) for one in vanes)
+    changed = replace(robot, drives=drives)
+    assert again(changed) == changed
+    short = replace(vanes[0], swing=0.5)
+    found = read(write_nirox(replace(robot, drives=(replace(HYDRAULIC, motor=short), drives[1]))).text)
+    assert found.robot is not None
+    assert found.robot.drives == ()
+    assert any("does not swing over the limits" in one.message for one in found.findings)
 
 
 def test_edges_of_valves_come_back() -> None:

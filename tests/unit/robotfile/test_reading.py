@@ -19,6 +19,7 @@ from ropsim.model import (
     FrictionLaw,
     GuardedAmplifier,
     HydraulicMotor,
+    HydraulicVane,
     JointType,
     Linkage,
     LoadFriction,
@@ -271,6 +272,26 @@ def test_drives_may_be_hydraulic() -> None:
     leaking = arm(f"mass = 12\ndrives = [{edges}, {other}]\n" + TWO_JOINTS)
     assert leaking.drives[0].motor == replace(first.motor, null_flow=2e-5, overlap=0.03)
     assert arm(write_robot_file(leaking).text).drives == leaking.drives
+
+
+VANE = (
+    '{ kind = "vane", displacement = 2e-4, swing = 5.3, first_angle = -2.65, dead_volume = 3e-5, '
+    "supply_pressure = 21e6, bulk_modulus = 1.4e9, rated_flow = 6e-4, rated_pressure_drop = 7e6, "
+    "rated_input = 0.05, natural_frequency = 630 }"
+)
+
+
+def test_drives_may_be_vanes_that_swing_over_the_ranges_of_their_joints() -> None:
+    text = f"mass = 12\ndrives = [{VANE}, {VANE}]\n" + TWO_JOINTS
+    robot = arm(text.replace("[-170, 170]", "[-150, 150]"))
+    valve = (0.0, 0.0, 21e6, 0.0, 1.4e9, 6e-4, 7e6, 0.05, 630.0, 0.7)
+    assert robot.drives[0].motor == HydraulicVane(2e-4, 5.3, -2.65, 3e-5, *valve)
+    assert arm(write_robot_file(robot).text).drives == robot.drives
+    found = read_robot_file(SourceText("a.toml", text)).findings
+    (error,) = [one for one in found if one.is_error]
+    assert "its stops are at -2.65 and 2.65 rad" in error.message
+    assert error.span
+    assert error.span.line == 2
 
 
 CYLINDER = (

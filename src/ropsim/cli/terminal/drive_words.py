@@ -10,6 +10,7 @@ from ropsim.model import (
     Elastic,
     HydraulicCylinder,
     HydraulicMotor,
+    HydraulicVane,
     Linkage,
     RobotModel,
     ThermalDcMotor,
@@ -44,6 +45,8 @@ def _kind(drive: Drive) -> str:
     match drive.motor:
         case HydraulicCylinder():
             return "hydraulic cylinders at servo valves"
+        case HydraulicVane():
+            return f"rotary vane motors at servo valves, {gears}"
         case HydraulicMotor():
             return f"hydraulic motors at servo valves, {gears}"
         case CurrentLoopMotor():

@@ -8,7 +8,7 @@ from ropsim.model import (
     GuardedAmplifier,
     Hydraulic,
     HydraulicCylinder,
-    HydraulicMotor,
+    HydraulicVane,
     Joint,
     JointType,
     Linkage,
@@ -54,9 +54,7 @@ def drive_fault(drive: Drive) -> Fault | None:
     if not isinstance(drive.transmission, Linkage) and not 0.0 < abs(drive.transmission.ratio) < inf:
         size = abs(drive.transmission.ratio)
         return "magnitude of `ratio`", f"is `{size}`; it must be positive and finite"
-    if isinstance(drive.motor, HydraulicMotor | HydraulicCylinder) and (
-        found := _hydraulic_fault(drive.motor)
-    ):
+    if isinstance(drive.motor, Hydraulic) and (found := _hydraulic_fault(drive.motor)):
         return found
     if isinstance(drive.motor, ThermalDcMotor) and (found := _thermal_fault(drive.motor)):
         return found
@@ -111,13 +109,15 @@ def range_fault(drive: Drive, joint: Joint) -> Fault | None:
     """Return why a drive cannot move its joint over the range that it has, None where it can.
 
     A cylinder that turns a joint is in line with the axis at its dead centres, where it has no lever, and its
-    rod comes out by its stroke.
+    rod comes out by its stroke. A vane swings between its stops.
 
     Args:
         drive: that can exist.
         joint: that it moves.
     """
     gear, motor = drive.transmission, drive.motor
+    if isinstance(motor, HydraulicVane) and not isinstance(gear, Linkage):
+        return _swing_fault(motor, gear.ratio, joint)
     if not isinstance(gear, Linkage) or not isinstance(motor, HydraulicCylinder):
         return None
     if joint.type is not JointType.REVOLUTE:
@@ -135,5 +135,19 @@ def range_fault(drive: Drive, joint: Joint) -> Fault | None:
             "the linkage",
             f"is {first:.5g} to {last:.5g} m long over the range of its joint; its cylinder is "
             f"{gear.retracted_length:.5g} to {longest:.5g} m long",
+        )
+    return None
+
+
+def _swing_fault(motor: HydraulicVane, ratio: float, joint: Joint) -> Fault | None:
+    if not isfinite(joint.upper - joint.lower):
+        return "the vane", "has stops, and its joint has no limits"
+    if not motor.fits(ratio, joint.lower, joint.upper):
+        first, last = sorted((ratio * joint.lower, ratio * joint.upper))
+        end = motor.first_angle + motor.swing
+        return (
+            "the vane",
+            f"turns from {first:.5g} to {last:.5g} rad over the range of its joint; its stops are at "
+            f"{motor.first_angle:.5g} and {end:.5g} rad",
         )
     return None

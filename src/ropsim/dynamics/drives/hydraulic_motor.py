@@ -18,7 +18,7 @@ from ropsim.dynamics.drives.servo_valve import (
     trace_flows,
     trace_spool,
 )
-from ropsim.model import HydraulicMotor, InputKind
+from ropsim.model import HydraulicMotor, HydraulicVane, InputKind
 
 
 def _trace(p: Numbers, states: Numbers, current: Scalar, shaft: Movement) -> Torque:
@@ -32,7 +32,7 @@ def _trace(p: Numbers, states: Numbers, current: Scalar, shaft: Movement) -> Tor
     return Torque(displacement * (a - b), (stiff * (into_a - swept), stiff * (into_b + swept), rate, spool))
 
 
-def _steady(motor: HydraulicMotor, torque: float, speed: float) -> Steady:
+def steady_motor(motor: HydraulicMotor | HydraulicVane, torque: float, speed: float) -> Steady:
     """Return equal falls of pressure at both edges; beyond stall the flow is that of laminar edges."""
     load = torque / motor.displacement
     flow = motor.displacement * speed + motor.leakage * load
@@ -45,6 +45,11 @@ def _steady(motor: HydraulicMotor, torque: float, speed: float) -> Steady:
     return Steady((a, b, opening, 0.0), opening * motor.rated_input)
 
 
+def most_torque(motor: HydraulicMotor | HydraulicVane) -> float:
+    """Return D·(p_s - p_r) [N·m | N]."""
+    return float(motor.displacement * (motor.supply_pressure - motor.return_pressure))
+
+
 HYDRAULIC_MOTOR = MotorBlock(
     takes=InputKind.CURRENT,
     numbers=("displacement", "chamber_volume", "leakage", "rotor_inertia", "bulk_modulus", *VALVE_NUMBERS),
@@ -52,7 +57,7 @@ HYDRAULIC_MOTOR = MotorBlock(
     states=VALVE_STATES,
     trace=_trace,
     inertia=lambda p: p[3],
-    steady=_steady,
+    steady=steady_motor,
     pole=lambda motor: float(motor.natural_frequency),
-    most=lambda motor: float(motor.displacement * (motor.supply_pressure - motor.return_pressure)),
+    most=most_torque,
 )

@@ -18,6 +18,7 @@ from ropsim.dynamics.drives.frictions.stribeck import STRIBECK_FRICTION
 from ropsim.dynamics.drives.gear import GEAR
 from ropsim.dynamics.drives.hydraulic_cylinder import HYDRAULIC_CYLINDER
 from ropsim.dynamics.drives.hydraulic_motor import HYDRAULIC_MOTOR
+from ropsim.dynamics.drives.hydraulic_vane import HYDRAULIC_VANE
 from ropsim.dynamics.drives.ideal_motor import IDEAL_MOTOR
 from ropsim.dynamics.drives.linkage import LINKAGE
 from ropsim.dynamics.drives.thermal_motor import THERMAL_MOTOR
@@ -33,6 +34,7 @@ from ropsim.model import (
     GuardedAmplifier,
     HydraulicCylinder,
     HydraulicMotor,
+    HydraulicVane,
     IdealMotor,
     Linkage,
     LoadFriction,
@@ -57,6 +59,7 @@ MOTORS: dict[type, MotorBlock] = {
     IdealMotor: IDEAL_MOTOR,
     HydraulicMotor: HYDRAULIC_MOTOR,
     HydraulicCylinder: HYDRAULIC_CYLINDER,
+    HydraulicVane: HYDRAULIC_VANE,
 }
 TRANSMISSIONS: dict[type, TransmissionBlock] = {
     Gear: GEAR,

@@ -16,8 +16,9 @@ from ropsim.model import (
     EffortAmplifier,
     Elastic,
     Friction,
-    HydraulicCylinder,
+    Hydraulic,
     HydraulicMotor,
+    HydraulicVane,
     IdealMotor,
     Linkage,
     Material,
@@ -29,15 +30,17 @@ from ropsim.model import (
     ValveAmplifier,
 )
 
-_HYDRAULIC = HydraulicMotor | HydraulicCylinder
 _TESTS: tuple[tuple[str, Callable[[Drive], bool]], ...] = (
     (
         "amplifiers with their voltages and currents",
         lambda one: not isinstance(one.amplifier, EffortAmplifier | ValveAmplifier),
     ),
-    ("motor constants", lambda one: not isinstance(one.motor, IdealMotor | _HYDRAULIC)),
-    ("valves, oil and supply", lambda one: isinstance(one.motor, _HYDRAULIC)),
-    ("displacements and chambers of hydraulic motors", lambda one: isinstance(one.motor, HydraulicMotor)),
+    ("motor constants", lambda one: not isinstance(one.motor, IdealMotor | Hydraulic)),
+    ("valves, oil and supply", lambda one: isinstance(one.motor, Hydraulic)),
+    (
+        "displacements and chambers of hydraulic motors",
+        lambda one: isinstance(one.motor, HydraulicMotor | HydraulicVane),
+    ),
     ("gear ratios", lambda one: not isinstance(one.transmission, Linkage) and abs(one.ratio_at(0.0)) != 1.0),
     ("cylinders with their areas, strokes and pins", lambda one: isinstance(one.transmission, Linkage)),
     ("stiffness and damping of gears", lambda one: isinstance(one.transmission, Elastic)),

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.model.drives.current_loop import CurrentLoopMotor
 from ropsim.model.drives.drive import DcMotor
-from ropsim.model.drives.hydraulics import HydraulicCylinder, HydraulicMotor
+from ropsim.model.drives.hydraulics import HydraulicCylinder, HydraulicMotor, HydraulicVane
 from ropsim.model.drives.thermal_motor import ThermalDcMotor
 from ropsim.model.findings.doubt_diagnostics import UNLIKELY_DRIVE
 from ropsim.model.findings.place import Attribute, AuditPlace, PlaceOf
@@ -55,6 +55,11 @@ _OF_MOTORS = {
     "displacement": _Usual("m³/rad", 1e-9, 1e-1, (("cm³ per turn", 1e-6 / _TURN), ("mm²", 1e-6))),
     "chamber_volume": _Usual("m³", 1e-9, 1e-1, _VOLUMES),
 }
+_OF_VANES = {
+    "displacement": _OF_MOTORS["displacement"],
+    "dead_volume": _OF_CYLINDERS["dead_volume_a"],
+    "swing": _Usual("rad", 0.1, 6.3, (("°", _TURN / 360.0),)),
+}
 _OF_DC_MOTORS = {
     "torque_constant": _Usual("N·m/A", 1e-3, 2e1, (("mN·m/A", 1e-3),)),
     "resistance": _Usual("Ω", 1e-3, 1e3, (("mΩ", 1e-3),)),
@@ -67,6 +72,7 @@ _USUAL = {
     ThermalDcMotor: _OF_DC_MOTORS,
     HydraulicMotor: _OF_HYDRAULICS | _OF_MOTORS,
     HydraulicCylinder: _OF_HYDRAULICS | _OF_CYLINDERS,
+    HydraulicVane: _OF_HYDRAULICS | _OF_VANES,
 }
 
 

@@ -6,7 +6,7 @@ from math import copysign, inf
 from ropsim.core import frozen_dataclass
 from ropsim.model.drives.current_loop import CurrentLoopMotor
 from ropsim.model.drives.friction import Friction, FrictionLaw
-from ropsim.model.drives.hydraulics import HydraulicCylinder, HydraulicMotor
+from ropsim.model.drives.hydraulics import HydraulicCylinder, HydraulicMotor, HydraulicVane
 from ropsim.model.drives.linkage import Linkage
 from ropsim.model.drives.thermal_motor import GuardedAmplifier, ThermalDcMotor
 
@@ -147,7 +147,8 @@ class BacklashGear:
 
 Elastic = ElasticGear | BacklashGear
 Amplifier = VoltageAmplifier | CurrentLimitedAmplifier | GuardedAmplifier | EffortAmplifier | ValveAmplifier
-Motor = DcMotor | ThermalDcMotor | CurrentLoopMotor | IdealMotor | HydraulicMotor | HydraulicCylinder
+Electric = DcMotor | ThermalDcMotor | CurrentLoopMotor | IdealMotor
+Motor = Electric | HydraulicMotor | HydraulicCylinder | HydraulicVane
 Transmission = Gear | Elastic | Linkage
 
 

@@ -2,6 +2,9 @@
 
 from ropsim.core import frozen_dataclass
 
+_ROUNDING = 1e-9
+"""Angles of stops and of the ranges of joints are rounded [rad]."""
+
 
 @frozen_dataclass
 class HydraulicMotor:
@@ -109,4 +112,65 @@ class HydraulicCylinder:
         return self.dead_volume_a + self.area_a * out, self.dead_volume_b + self.area_b * (self.stroke - out)
 
 
-Hydraulic = HydraulicMotor | HydraulicCylinder
+@frozen_dataclass
+class HydraulicVane:
+    """A rotary motor whose vane swings between two stops, at a symmetric servo valve with four edges.
+
+    Its chambers grow and shrink with the angle θ of its shaft: V_a = V_0 + D·(θ - θ_0) and V_b = V_0 +
+    D·(θ_0 + θ_s - θ) (M. Jelali, A. Kroll: Hydraulic Servo-systems, Springer 2003, chapter 4). All else is as
+    in `HydraulicMotor`.
+
+    Attributes:
+        displacement: D [m³/rad].
+        swing: θ_s, from stop to stop [rad].
+        first_angle: θ_0, angle of the shaft at which chamber a is smallest [rad].
+        dead_volume: V_0, of each chamber with its line where it is smallest [m³].
+        leakage: from chamber to chamber [m³/(s·Pa)].
+        rotor_inertia: J [kg·m²].
+        supply_pressure: over that of the air [Pa].
+        return_pressure: the same [Pa].
+        bulk_modulus: effective β of the oil [Pa].
+        rated_flow: Q_r [m³/s], at the rated current and fall of pressure.
+        rated_pressure_drop: Δp_r [Pa] over both edges.
+        rated_input: i_r [A].
+        natural_frequency: ωn of the spool [rad/s].
+        damping_ratio: ζ of the spool.
+        oil_density: [kg/m³], at which the flow is rated; no equation has it.
+        null_flow: Q_0 through the valve at its centre, from supply to return, at the fall Δp_r [m³/s].
+        overlap: o, the opening x at which the first edges open; 0 where they do so at the centre.
+    """
+
+    displacement: float
+    swing: float
+    first_angle: float
+    dead_volume: float
+    leakage: float
+    rotor_inertia: float
+    supply_pressure: float
+    return_pressure: float
+    bulk_modulus: float
+    rated_flow: float
+    rated_pressure_drop: float
+    rated_input: float
+    natural_frequency: float
+    damping_ratio: float
+    oil_density: float = 870.0
+    null_flow: float = 0.0
+    overlap: float = 0.0
+
+    def volumes(self, angle: float) -> tuple[float, float]:
+        """Return the volumes of both chambers [m³] where the shaft is at an angle [rad], or at its stop."""
+        turned = min(max(angle - self.first_angle, 0.0), self.swing)
+        return (
+            self.dead_volume + self.displacement * turned,
+            self.dead_volume + self.displacement * (self.swing - turned),
+        )
+
+    def fits(self, ratio: float, lower: float, upper: float) -> bool:
+        """Return whether it turns a joint behind a gear from one coordinate to another [rad | m]."""
+        first, last = sorted((ratio * lower, ratio * upper))
+        end = self.first_angle + self.swing
+        return self.first_angle - _ROUNDING <= first and last <= end + _ROUNDING
+
+
+Hydraulic = HydraulicMotor | HydraulicCylinder | HydraulicVane

@@ -8,6 +8,7 @@ from ropsim.model import (
     Drive,
     HydraulicCylinder,
     HydraulicMotor,
+    HydraulicVane,
     Joint,
     JointType,
     Linkage,
@@ -55,10 +56,18 @@ def read_hydraulic(
         cylinder = HydraulicCylinder(**{name: seen.real(motor, name) for name in sizes}, **common)
         return ValveAmplifier(most), cylinder
     rotor = seen.real(motor, "rotor_inertia")
+    rotor = rotor + at_input if at_input else rotor
+    chambers = seen.user(motor, "vane_chambers", "motor")
+    if chambers is not None:
+        seen.take(chambers, "motor", number, "vane")
+        own = {name: seen.real(chambers, name) for name in ("swing", "first_angle", "dead_volume")}
+        displacement = seen.real(motor, "displacement")
+        vane = HydraulicVane(displacement=displacement, rotor_inertia=rotor, **own, **common)
+        return ValveAmplifier(most), vane
     made = HydraulicMotor(
         displacement=seen.real(motor, "displacement"),
         chamber_volume=seen.real(motor, "chamber_volume"),
-        rotor_inertia=rotor + at_input if at_input else rotor,
+        rotor_inertia=rotor,
         **common,
     )
     return ValveAmplifier(most), made
@@ -120,10 +129,18 @@ class Linkages:
         return linkage(*pins, retracted, 0.5 * (joint.lower + joint.upper))
 
     def can_be(self, through: int, drive: Drive, number: int) -> bool:
-        """Return whether a cylinder turns its joint one way over all of its range; else it is reported."""
+        """Return whether a cylinder turns its joint one way over all of its range; else it is reported.
+
+        The same goes for a vane between its stops.
+        """
         gear, joint = drive.transmission, self._joints[number]
         if not isinstance(gear, Linkage):
-            return True
+            if not isinstance(drive.motor, HydraulicVane) or drive.motor.fits(
+                gear.ratio, joint.lower, joint.upper
+            ):
+                return True
+            self._lost(through, "its vane does not swing over the limits of its pair")
+            return False
         if gear.is_about_axis:
             self._lost(through, "a pin lies on the axis of its pair")
         elif gear.dead_centre(joint.lower, joint.upper) is not None:

@@ -14,8 +14,10 @@ from ropsim.model import (
     Elastic,
     Gear,
     GuardedAmplifier,
+    Hydraulic,
     HydraulicCylinder,
     HydraulicMotor,
+    HydraulicVane,
     IdealMotor,
     Linkage,
     RobotModel,
@@ -68,12 +70,13 @@ def _impossible(robot: RobotModel) -> list[str]:
 def _joined(drive: Drive) -> bool:
     """Return whether the schema joins the amplifier and the motor of a drive."""
     match drive.amplifier, drive.motor:
-        case ValveAmplifier(most), HydraulicMotor(rated_input=rated) | HydraulicCylinder(rated_input=rated):
+        case ValveAmplifier(most), HydraulicMotor() | HydraulicCylinder() | HydraulicVane():
             is_linked = isinstance(drive.transmission, Linkage)
-            return most == rated and is_linked is isinstance(drive.motor, HydraulicCylinder)
+            is_rated = most == drive.motor.rated_input
+            return is_rated and is_linked is isinstance(drive.motor, HydraulicCylinder)
         case ValveAmplifier(), _:
             return False
-        case _, HydraulicMotor() | HydraulicCylinder():
+        case _, HydraulicMotor() | HydraulicCylinder() | HydraulicVane():
             return False
         case GuardedAmplifier(), ThermalDcMotor():
             return True
@@ -109,7 +112,7 @@ def _gear(building: Building, number: int, name: str, drive: Drive, gear: Gear |
 def _motor(building: Building, number: int, name: str, drive: Drive) -> tuple[Reference, Value]:
     """Return the motor of a drive, and the amplifier where it says more than its voltage and current."""
     key, motor, amplifier = ("motor", number), drive.motor, drive.amplifier
-    if isinstance(motor, HydraulicMotor | HydraulicCylinder):
+    if isinstance(motor, Hydraulic):
         return write_hydraulic(building, number, name, motor)
     if isinstance(motor, ThermalDcMotor) and isinstance(amplifier, GuardedAmplifier):
         made = _dc_motor(building, number, name, motor, (amplifier.max_voltage, amplifier.max_current))

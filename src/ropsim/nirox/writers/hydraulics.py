@@ -4,6 +4,7 @@ from ropsim.model import (
     WRITTEN,
     Hydraulic,
     HydraulicCylinder,
+    HydraulicVane,
     Linkage,
     RobotModel,
     carrier_frame,
@@ -41,8 +42,19 @@ def write_hydraulic(building: Building, number: int, name: str, motor: Hydraulic
         sizes = (motor.area_a, motor.area_b, motor.stroke, *volumes, motor.leakage, motor.moving_mass)
     else:
         keyword, label = "HYDRAULIC_ROTARY_MOTOR", f"motor {name}"
-        sizes = (motor.displacement, motor.chamber_volume, motor.leakage, motor.rotor_inertia)
+        volume = _middle_volume(motor) if isinstance(motor, HydraulicVane) else motor.chamber_volume
+        sizes = (motor.displacement, volume, motor.leakage, motor.rotor_inertia)
+    if isinstance(motor, HydraulicVane):
+        made = building.add(("motor", number), keyword, label, *map(float, sizes))
+        chambers = map(float, (motor.swing, motor.first_angle, motor.dead_volume))
+        building.add(("motor", number, "vane"), "VANE_CHAMBERS", made, *chambers)
+        return made, valve
     return building.add(("motor", number), keyword, label, *map(float, sizes)), valve
+
+
+def _middle_volume(motor: HydraulicVane) -> float:
+    """Return the volume of each chamber where the vane is half way [m³]."""
+    return motor.dead_volume + 0.5 * motor.displacement * motor.swing
 
 
 def write_linkage(building: Building, robot: RobotModel, number: int, gear: Linkage) -> Reference:

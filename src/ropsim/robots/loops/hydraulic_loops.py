@@ -22,6 +22,7 @@ from ropsim.model import (
     Hydraulic,
     HydraulicCylinder,
     HydraulicMotor,
+    HydraulicVane,
     Linkage,
     Mechanism,
     Rates,
@@ -52,8 +53,7 @@ PLACES = 33
 
 def hydraulic_axes(robot: Mechanism) -> list[int]:
     """Return the axes with a hydraulic motor or cylinder."""
-    kinds = HydraulicMotor | HydraulicCylinder
-    return [k for k, drive in enumerate(robot.drives) if isinstance(drive.motor, kinds)]
+    return [k for k, drive in enumerate(robot.drives) if isinstance(drive.motor, Hydraulic)]
 
 
 def hydraulic_crossover(robot: Mechanism, rates: Rates) -> float:
@@ -79,6 +79,10 @@ def _oil(drive: Drive, q: float) -> tuple[float, float]:
         a, b = motor.volumes(min(max(gear.out_at(q), 0.0), motor.stroke))
         spring = motor.bulk_modulus * (motor.area_a**2 / a + motor.area_b**2 / b)
         leak = motor.bulk_modulus * _leakage(motor) * (1.0 / a + 1.0 / b)
+    elif isinstance(motor, HydraulicVane):
+        a, b = motor.volumes(drive.ratio_at(q) * q)
+        oil = motor.bulk_modulus * (1.0 / a + 1.0 / b)
+        spring, leak = oil * motor.displacement**2, oil * _leakage(motor)
     else:
         assert isinstance(motor, HydraulicMotor)
         oil = 2.0 * motor.bulk_modulus / motor.chamber_volume
@@ -104,12 +108,12 @@ def _steeper(drive: Drive) -> float:
     Where edges leak, both edges of a chamber change the flow at the centre (H. E. Merritt, chapter 5: an open
     centre).
     """
-    assert isinstance(drive.motor, HydraulicMotor | HydraulicCylinder)
+    assert isinstance(drive.motor, Hydraulic)
     return 2.0 if drive.motor.null_flow else 1.0
 
 
 def _valve(drive: Drive) -> float:
-    assert isinstance(drive.motor, HydraulicMotor | HydraulicCylinder)
+    assert isinstance(drive.motor, Hydraulic)
     return drive.motor.natural_frequency
 
 
@@ -141,7 +145,7 @@ def _per_speed(robot: Mechanism, axis: int) -> Array:
     drive, joint = robot.drives[axis], robot.axis_joints[axis]
     if isinstance(drive.motor, HydraulicCylinder):
         drive = replace(drive, motor=replace(drive.motor, leakage=0.0))
-    if isinstance(drive.motor, HydraulicMotor | HydraulicCylinder):
+    if isinstance(drive.motor, Hydraulic):
         drive = replace(drive, motor=replace(drive.motor, null_flow=0.0, overlap=0.0))
     places = (
         np.linspace(joint.lower, joint.upper, PLACES) if isinstance(drive.transmission, Linkage) else [0.0]

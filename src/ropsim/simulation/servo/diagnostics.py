@@ -55,7 +55,8 @@ integration of fourth order is stable while the product of that rate and its ste
 that the axis chatters about rest: settling times and lags are those of the chatter, or the state grows
 without bound (S701).
 
-Steps that are not stated are as many as the arm needs, up to 100 in a control tick.
+Bristles of LuGre friction hold a joint at rest as on a spring of stiffness k: then √(k/J)·dt is the product
+that is told, and the bristles are too stiff for the step.
 
 Real geared axes do not do that, for their rotors are most of J: a rotor counts with the square of the gear
 ratio. Files in URDF have no place for rotors.
