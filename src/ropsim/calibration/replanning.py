@@ -13,8 +13,8 @@ from ropsim.planning import (
     MotionPlan,
     MotionSequence,
     StandardPathPlanner,
-    ordered,
     standard_chain,
+    timed,
 )
 from ropsim.spatial import Array
 
@@ -57,7 +57,7 @@ def replanner(
     def planned(number: int, settings: MotionSettings) -> MotionPlan | None:
         planning()
         order = orders[number]
-        made, refusal = ordered(chain(settings), order)
+        made, refusal = timed(chain(settings), order)
         return made if refusal is None else None
 
     return planned

@@ -22,6 +22,7 @@ from ropsim.planning.moves.joint_interpolator import StandardJointInterpolator a
 from ropsim.planning.moves.path_planner import StandardPathPlanner as StandardPathPlanner
 from ropsim.planning.planning import ordered as ordered
 from ropsim.planning.planning import plan as plan
+from ropsim.planning.planning import timed as timed
 from ropsim.planning.records.coordination import Coordination as Coordination
 from ropsim.planning.records.entities import Interpolator as Interpolator
 from ropsim.planning.records.entities import InverseTransform as InverseTransform

@@ -1,13 +1,13 @@
 """Planning a sequence: moves become paths, paths with blends become a timing, and that a trajectory."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
 from ropsim.core import Diagnostic
-from ropsim.flow import MoveInstruction
+from ropsim.flow import MoveInstruction, ReachedSpeed
 from ropsim.model import Payload, RobotModel
-from ropsim.motion import TIME_LAWS, Infeasible, JointBounds, Ticks, own_law_of
+from ropsim.motion import TIME_LAWS, Infeasible, JointBounds, RetimedTrajectory, Ticks, own_law_of
 from ropsim.planning.achieved.helpful_limits import AchievedMotion
 from ropsim.planning.achieved.lines_as_curves import lines_as_curves
 from ropsim.planning.achieved.reached_speeds import reached_speeds, singularity_at
@@ -16,7 +16,13 @@ from ropsim.planning.blends.blend import Blend, PassedPoint, Stop
 from ropsim.planning.blends.curve_blends import blend_at
 from ropsim.planning.blends.move_curves import may_be_slower, with_curves
 from ropsim.planning.control_ticks import in_ticks, standing
-from ropsim.planning.joint_limits.arm_limits import arm_bounds, beyond_refusal, move_at, slowed_findings
+from ropsim.planning.joint_limits.arm_limits import (
+    ArmBounds,
+    arm_bounds,
+    beyond_refusal,
+    move_at,
+    slowed_findings,
+)
 from ropsim.planning.moves.move_check import check_duration
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.path_limits.path_limits import along_with, joint_path_limits, tool_path_limits
@@ -34,7 +40,7 @@ from ropsim.planning.sequence_checks import (
     with_correction,
 )
 from ropsim.planning.sequence_moves import sequence_moves
-from ropsim.planning.stops.chosen_stops import by_joints, by_tool
+from ropsim.planning.stops.chosen_stops import ByJoints, ByTool, by_joints, by_tool
 from ropsim.planning.trajectory.sections import TimingRules
 from ropsim.planning.trajectory.segments import segments_of
 from ropsim.spatial import Array, record
@@ -74,13 +80,35 @@ def plan(
         The plan of the moves up to the first one that cannot be made, None where that is the first; and why
         it cannot be made, None where all can.
     """
+    made, refusal = _made(chain, sequence, state, payload, ahead)
+    return (_explained(made) if isinstance(made, _Motion) else made), refusal
+
+
+def timed(chain: MotionChain, order: MotionSequence) -> tuple[MotionPlan | None, Refusal | None]:
+    """Return the motion of `ordered` without the reasons why moves are slower than programmed.
+
+    They take about as long as planning itself, which counts where a sequence is planned again and again.
+    """
+    start = MotionState.at_rest(order.q_start)
+    made, refusal = _made(chain, order.moves, start, order.payload, order.ahead)
+    return (_in_ticks(made, {}, made.findings) if isinstance(made, _Motion) else made), refusal
+
+
+def _made(
+    chain: MotionChain,
+    sequence: Sequence[MoveInstruction],
+    state: MotionState,
+    payload: Payload,
+    ahead: Sequence[MoveInstruction],
+) -> "tuple[MotionPlan | _Motion | None, Refusal | None]":
+    """Return the motion through the moves up to the first one that cannot be made; see `plan`."""
     wrong = check_start(state, chain.robot, sequence[0])
     if wrong:
         return None, wrong
     moves, refusal = sequence_moves(chain, sequence, ahead, state.q)
     while moves:
         planned = _quickest(chain, moves, state, payload)
-        if isinstance(planned, MotionPlan):
+        if not isinstance(planned, _Hurdle):
             return planned, refusal
         moves, refusal = moves[: planned.move_number], planned.refusal
     return None, refusal
@@ -99,26 +127,57 @@ class _Hurdle:
     refusal: Refusal
 
 
+@record
+class _Motion:
+    """A motion over nominal time, of which nothing is said yet.
+
+    Attributes:
+        chain: the entities.
+        moves: the moves.
+        chosen: blends and timing by the limits of the tool.
+        by_joint_limits: the same within the limits of the joints.
+        bounds: capabilities of the arm.
+        rules: of the timing.
+        retimed: the trajectory at all control ticks.
+        findings: so far.
+    """
+
+    chain: MotionChain
+    moves: list[PlannedMove]
+    chosen: ByTool
+    by_joint_limits: ByJoints
+    bounds: ArmBounds
+    rules: TimingRules
+    retimed: RetimedTrajectory
+    findings: list[Diagnostic]
+
+    @property
+    def ticks(self) -> int:
+        """Return how many control ticks it takes."""
+        period = self.chain.controller.rates.control_period
+        return Ticks(period).count(self.retimed.clock.duration)
+
+
 def _quickest(
     chain: MotionChain, moves: list[PlannedMove], state: MotionState, payload: Payload
-) -> MotionPlan | _Hurdle:
+) -> MotionPlan | _Motion | _Hurdle:
     """Return the motion through moves, with chains of short lines as curves where these are quicker."""
     curved = with_curves(chain, moves)
     if not any(move.on_curve for move in curved):
         return _planned(chain, moves, state, payload)
     along = _planned(chain, curved, state, payload)
-    if isinstance(along, MotionPlan) and not may_be_slower(curved):
+    if isinstance(along, _Motion) and not may_be_slower(curved):
         return along
     rounded = _planned(chain, moves, state, payload)
-    if isinstance(along, MotionPlan) and isinstance(rounded, MotionPlan):
-        return min(along, rounded, key=lambda one: one.duration)
-    return along if isinstance(along, MotionPlan) else rounded
+    if isinstance(along, _Motion) and isinstance(rounded, _Motion):
+        return min(along, rounded, key=lambda one: one.ticks)
+    return along if isinstance(along, _Motion) else rounded
 
 
 def _planned(
     chain: MotionChain, moves: list[PlannedMove], state: MotionState, payload: Payload
-) -> MotionPlan | _Hurdle:
-    """Return the motion through moves, or the move that cannot be made."""
+) -> MotionPlan | _Motion | _Hurdle:
+    """Return the motion through moves, or the move that cannot be made; a plan where nothing moves."""
     findings = [finding for move in moves for finding in move.findings]
     findings += beyond_arm(moves, chain.robot)
     crawling = _crawling(moves)
@@ -157,18 +216,36 @@ def _planned(
         return _Hurdle(number, beyond_refusal(moves[number], retimed, chain.robot))
     if late := _late(moves, retimed.clock.times_of(timing.ends).tolist()):
         return _Hurdle(late[0], Refusal(check_duration(moves[late[0]].move, late[1])))
-    findings += slowed_findings(
+    return _Motion(chain, moves, chosen, by_joint_limits, bounds, rules, retimed, findings)
+
+
+def _explained(motion: _Motion) -> MotionPlan:
+    """Return the plan of a motion with the reasons why moves are slower than programmed."""
+    moves, robot, retiming = motion.moves, motion.chain.robot, motion.by_joint_limits.retiming
+    blends = motion.by_joint_limits.blends
+    slowed = slowed_findings(
         moves,
-        timing.ends,
-        by_joint_limits.retiming.slowed,
-        chain.robot,
-        lambda part: singularity_at(by_joint_limits.retiming, part, chain.robot),
+        retiming.timing.ends,
+        retiming.slowed,
+        robot,
+        lambda part: singularity_at(retiming, part, robot),
     )
-    findings += lines_as_curves(chain, moves, by_joint_limits.blends)
-    zones = achieved_zones(chain.robot, moves, by_joint_limits.blends, by_joint_limits.retiming.motion)
-    achieved = AchievedMotion(moves, by_joint_limits.blends, bounds, Ticks(period), rules)
-    reached = reached_speeds(achieved, chosen.timing, by_joint_limits.retiming, chain.robot)
-    return in_ticks(chain, moves, zones, timing, retimed, reached, findings)
+    ticks = Ticks(motion.chain.controller.rates.control_period)
+    achieved = AchievedMotion(moves, blends, motion.bounds, ticks, motion.rules)
+    reached = reached_speeds(achieved, motion.chosen.timing, retiming, robot)
+    return _in_ticks(
+        motion, reached, [*motion.findings, *slowed, *lines_as_curves(motion.chain, moves, blends)]
+    )
+
+
+def _in_ticks(
+    motion: _Motion, reached: Mapping[int, ReachedSpeed], findings: Sequence[Diagnostic]
+) -> MotionPlan:
+    joints = motion.by_joint_limits
+    zones = achieved_zones(motion.chain.robot, motion.moves, joints.blends, joints.retiming.motion)
+    return in_ticks(
+        motion.chain, motion.moves, zones, joints.retiming.timing, motion.retimed, reached, findings
+    )
 
 
 def _infeasible(
