@@ -7,7 +7,7 @@ from math import copysign
 
 from ropsim.codegen import Scalar
 from ropsim.dynamics.drives.block import MotorBlock, Movement, Numbers, Steady, Torque
-from ropsim.dynamics.drives.servo_valve import (
+from ropsim.dynamics.drives.hydraulics.servo_valve import (
     MOST_OPENING,
     VALVE_NUMBERS,
     VALVE_POSITIVE,

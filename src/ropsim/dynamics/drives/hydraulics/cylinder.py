@@ -6,7 +6,7 @@ Servo-systems, Springer 2003, chapter 4.
 
 from ropsim.codegen import Scalar, maximum, minimum
 from ropsim.dynamics.drives.block import MotorBlock, Movement, Numbers, Steady, Torque
-from ropsim.dynamics.drives.servo_valve import (
+from ropsim.dynamics.drives.hydraulics.servo_valve import (
     MOST_OPENING,
     VALVE_NUMBERS,
     VALVE_POSITIVE,
