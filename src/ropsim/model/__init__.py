@@ -77,6 +77,7 @@ from ropsim.model.controller import ShortLines as ShortLines
 from ropsim.model.controller import Synchronisation as Synchronisation
 from ropsim.model.controller import gain_names as gain_names
 from ropsim.model.drives.current_loop import CurrentLoopMotor as CurrentLoopMotor
+from ropsim.model.drives.current_loop import LaggingMotor as LaggingMotor
 from ropsim.model.drives.drive import Amplifier as Amplifier
 from ropsim.model.drives.drive import BacklashGear as BacklashGear
 from ropsim.model.drives.drive import CurrentLimitedAmplifier as CurrentLimitedAmplifier

@@ -19,6 +19,7 @@ from ropsim.model import (
     HydraulicMotor,
     HydraulicVane,
     IdealMotor,
+    LaggingMotor,
     Linkage,
     LoadFriction,
     LugreFriction,
@@ -60,11 +61,13 @@ def drive_keys(drive: Drive, frames: PinFrames) -> dict[str, str] | None:
                 "max_torque": unless(most_torque, drive.motor.torque_constant * current),
             }
             keys = _dc(drive.motor, (voltage, current)) | own
-        case EffortAmplifier(most), IdealMotor(inertia):
+        case EffortAmplifier(most), IdealMotor() | LaggingMotor():
+            lag = drive.motor.bandwidth if isinstance(drive.motor, LaggingMotor) else 0.0
             keys = {
                 "kind": text("servo"),
                 "max_torque": unless(most, 0.0),
-                "rotor_inertia": unless(inertia, 0.0),
+                "current_bandwidth": unless(lag, 0.0),
+                "rotor_inertia": unless(drive.motor.rotor_inertia, 0.0),
             }
         case ValveAmplifier(most), HydraulicMotor():
             keys = _hydraulic(most, drive.motor)

@@ -21,6 +21,7 @@ from ropsim.model import (
     HydraulicMotor,
     HydraulicVane,
     IdealMotor,
+    LaggingMotor,
     LoadFriction,
     LugreFriction,
     StribeckFriction,
@@ -146,9 +147,12 @@ def _in_loop(table: TomlTable, motor: DcMotor, most: list[float]) -> tuple[Effor
 
 
 def _servo(table: TomlTable, transmission: Transmission, friction: FrictionLaw) -> Drive:
-    """Return a servo motor whose current loop is faster than the control period: torque as commanded."""
+    """Return a servo motor that gives the torque it is told, with the lag of its current loop if known."""
     most = table.number("max_torque", _POSITIVE, inf)
-    motor = IdealMotor(table.number("rotor_inertia", _FROM_ZERO, 0.0))
+    rotor = table.number("rotor_inertia", _FROM_ZERO, 0.0)
+    motor: LaggingMotor | IdealMotor = IdealMotor(rotor)
+    if "current_bandwidth" in table:
+        motor = LaggingMotor(table.number("current_bandwidth", _POSITIVE, 1.0), rotor)
     return Drive(EffortAmplifier(most), motor, transmission, friction)
 
 

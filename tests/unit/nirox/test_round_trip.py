@@ -28,6 +28,7 @@ from ropsim.model import (
     HydraulicMotor,
     HydraulicVane,
     JointType,
+    LaggingMotor,
     LoadFriction,
     LoopCut,
     LugreFriction,
@@ -174,6 +175,12 @@ def test_motors_that_grow_warm_come_back(rise: float) -> None:
     plain = replace(drive, motor=replace(motor, torque_drift=0.0, start_rise=0.0))
     changed = replace(robot, drives=(drive, plain))
     assert again(changed) == changed
+
+
+def test_motors_with_a_lag_come_back() -> None:
+    robot = robots.load("two_link")
+    drives = tuple(replace(one, motor=LaggingMotor(1200.0, 0.03)) for one in robot.drives)
+    assert again(replace(robot, drives=drives)) == replace(robot, drives=drives)
 
 
 def test_gears_with_play_come_back() -> None:

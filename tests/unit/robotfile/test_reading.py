@@ -21,6 +21,7 @@ from ropsim.model import (
     HydraulicMotor,
     HydraulicVane,
     JointType,
+    LaggingMotor,
     Linkage,
     LoadFriction,
     LugreFriction,
@@ -195,6 +196,13 @@ def test_a_motor_may_be_in_a_current_loop(more: str, torque: float) -> None:
     amplifier = robot.drives[0].amplifier
     assert isinstance(amplifier, EffortAmplifier)
     assert amplifier.max_effort == pytest.approx(torque)
+    assert arm(write_robot_file(robot).text).drives == robot.drives
+
+
+def test_a_servo_may_have_a_lag() -> None:
+    servo = '{ kind = "servo", ratio = 100, max_torque = 2, rotor_inertia = 1e-4, current_bandwidth = 900 }'
+    robot = arm(f"mass = 12\ndrives = [{servo}, {servo}]\n" + TWO_JOINTS)
+    assert robot.drives[0].motor == LaggingMotor(900.0, 1e-4)
     assert arm(write_robot_file(robot).text).drives == robot.drives
 
 

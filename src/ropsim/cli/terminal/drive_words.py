@@ -11,6 +11,7 @@ from ropsim.model import (
     HydraulicCylinder,
     HydraulicMotor,
     HydraulicVane,
+    LaggingMotor,
     Linkage,
     RobotModel,
     ThermalDcMotor,
@@ -49,7 +50,7 @@ def _kind(drive: Drive) -> str:
             return f"rotary vane motors at servo valves, {gears}"
         case HydraulicMotor():
             return f"hydraulic motors at servo valves, {gears}"
-        case CurrentLoopMotor():
+        case CurrentLoopMotor() | LaggingMotor():
             return f"motors in current loops, {gears}"
         case ThermalDcMotor():
             return f"DC motors that grow warm, {gears}"

@@ -16,10 +16,11 @@ from ropsim.dynamics.drives.frictions.load import LOAD_FRICTION
 from ropsim.dynamics.drives.frictions.lugre import LUGRE_FRICTION
 from ropsim.dynamics.drives.frictions.stribeck import STRIBECK_FRICTION
 from ropsim.dynamics.drives.gear import GEAR
-from ropsim.dynamics.drives.hydraulic_cylinder import HYDRAULIC_CYLINDER
-from ropsim.dynamics.drives.hydraulic_motor import HYDRAULIC_MOTOR
-from ropsim.dynamics.drives.hydraulic_vane import HYDRAULIC_VANE
+from ropsim.dynamics.drives.hydraulics.cylinder import HYDRAULIC_CYLINDER
+from ropsim.dynamics.drives.hydraulics.motor import HYDRAULIC_MOTOR
+from ropsim.dynamics.drives.hydraulics.vane import HYDRAULIC_VANE
 from ropsim.dynamics.drives.ideal_motor import IDEAL_MOTOR
+from ropsim.dynamics.drives.lagging_motor import LAGGING_MOTOR
 from ropsim.dynamics.drives.linkage import LINKAGE
 from ropsim.dynamics.drives.thermal_motor import THERMAL_MOTOR
 from ropsim.model import (
@@ -36,6 +37,7 @@ from ropsim.model import (
     HydraulicMotor,
     HydraulicVane,
     IdealMotor,
+    LaggingMotor,
     Linkage,
     LoadFriction,
     LugreFriction,
@@ -56,6 +58,7 @@ MOTORS: dict[type, MotorBlock] = {
     DcMotor: DC_MOTOR,
     ThermalDcMotor: THERMAL_MOTOR,
     CurrentLoopMotor: CURRENT_LOOP,
+    LaggingMotor: LAGGING_MOTOR,
     IdealMotor: IDEAL_MOTOR,
     HydraulicMotor: HYDRAULIC_MOTOR,
     HydraulicCylinder: HYDRAULIC_CYLINDER,

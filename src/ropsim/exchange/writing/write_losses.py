@@ -20,6 +20,7 @@ from ropsim.model import (
     HydraulicMotor,
     HydraulicVane,
     IdealMotor,
+    LaggingMotor,
     Linkage,
     Material,
     Polyline,
@@ -35,7 +36,8 @@ _TESTS: tuple[tuple[str, Callable[[Drive], bool]], ...] = (
         "amplifiers with their voltages and currents",
         lambda one: not isinstance(one.amplifier, EffortAmplifier | ValveAmplifier),
     ),
-    ("motor constants", lambda one: not isinstance(one.motor, IdealMotor | Hydraulic)),
+    ("motor constants", lambda one: not isinstance(one.motor, IdealMotor | LaggingMotor | Hydraulic)),
+    ("lags of torques", lambda one: isinstance(one.motor, LaggingMotor)),
     ("valves, oil and supply", lambda one: isinstance(one.motor, Hydraulic)),
     (
         "displacements and chambers of hydraulic motors",

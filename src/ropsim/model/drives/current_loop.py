@@ -1,4 +1,4 @@
-"""A motor in a current loop."""
+"""Motors in current loops: with what is known of the loop, or with its lag alone."""
 
 from ropsim.core import frozen_dataclass
 
@@ -32,3 +32,18 @@ class CurrentLoopMotor:
     max_voltage: float
     max_current: float
     bandwidth: float
+
+
+@frozen_dataclass
+class LaggingMotor:
+    """A source of torque or force that follows its command: dτ/dt = ω_c·(command - τ).
+
+    It is a motor in a current loop of which nothing else is known, with a voltage that always suffices.
+
+    Attributes:
+        bandwidth: ω_c [rad/s].
+        rotor_inertia: J [kg·m²] or, of a linear motor, [kg]; rotor and gear input.
+    """
+
+    bandwidth: float
+    rotor_inertia: float = 0.0

@@ -4,7 +4,7 @@ from enum import StrEnum
 from math import copysign, inf
 
 from ropsim.core import frozen_dataclass
-from ropsim.model.drives.current_loop import CurrentLoopMotor
+from ropsim.model.drives.current_loop import CurrentLoopMotor, LaggingMotor
 from ropsim.model.drives.friction import Friction, FrictionLaw
 from ropsim.model.drives.hydraulics import HydraulicCylinder, HydraulicMotor, HydraulicVane
 from ropsim.model.drives.linkage import Linkage
@@ -147,7 +147,7 @@ class BacklashGear:
 
 Elastic = ElasticGear | BacklashGear
 Amplifier = VoltageAmplifier | CurrentLimitedAmplifier | GuardedAmplifier | EffortAmplifier | ValveAmplifier
-Electric = DcMotor | ThermalDcMotor | CurrentLoopMotor | IdealMotor
+Electric = DcMotor | ThermalDcMotor | CurrentLoopMotor | LaggingMotor | IdealMotor
 Motor = Electric | HydraulicMotor | HydraulicCylinder | HydraulicVane
 Transmission = Gear | Elastic | Linkage
 

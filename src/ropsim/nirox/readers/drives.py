@@ -17,6 +17,7 @@ from ropsim.model import (
     GuardedAmplifier,
     IdealMotor,
     Joint,
+    LaggingMotor,
     Linkage,
     Motor,
     ThermalDcMotor,
@@ -109,9 +110,10 @@ def _motor(seen: Seen, train: int, at_input: float, number: int) -> tuple[Amplif
     motor = seen.ref(train, "motor")
     seen.take(motor, "motor", number)
     if seen.is_a(motor, "ideal_effort_source"):
+        amplifying = EffortAmplifier(seen.real(motor, "max_effort", inf))
         if seen.has(motor, "bandwidth"):
-            seen.note(LOST, motor, "`bandwidth` has no effect: the torque acts at once")
-        return EffortAmplifier(seen.real(motor, "max_effort", inf)), IdealMotor(at_input)
+            return amplifying, LaggingMotor(seen.real(motor, "bandwidth"), at_input)
+        return amplifying, IdealMotor(at_input)
     if any(seen.is_a(motor, one) for one in HYDRAULIC):
         return read_hydraulic(seen, motor, seen.ref(train, "driven_by"), at_input, number)
     limits = False

@@ -19,6 +19,7 @@ from ropsim.model import (
     HydraulicMotor,
     HydraulicVane,
     IdealMotor,
+    LaggingMotor,
     Linkage,
     RobotModel,
     ThermalDcMotor,
@@ -83,7 +84,7 @@ def _joined(drive: Drive) -> bool:
         case (GuardedAmplifier(), _) | (_, ThermalDcMotor()):
             return False
     return isinstance(drive.amplifier, EffortAmplifier) is isinstance(
-        drive.motor, IdealMotor | CurrentLoopMotor
+        drive.motor, IdealMotor | LaggingMotor | CurrentLoopMotor
     )
 
 
@@ -103,7 +104,8 @@ def _gear(building: Building, number: int, name: str, drive: Drive, gear: Gear |
     elastic: tuple[Value, Value] = (UNSET, UNSET)
     if isinstance(gear, Elastic):
         elastic = float(gear.stiffness), float(gear.damping)
-    at_input = float(drive.motor.rotor_inertia) if isinstance(drive.motor, IdealMotor) else 0.0
+    bare = isinstance(drive.motor, IdealMotor | LaggingMotor)
+    at_input = float(drive.motor.rotor_inertia) if bare else 0.0
     play = float(gear.backlash) if isinstance(gear, BacklashGear) else 0.0
     values = (f"gear {name}", float(gear.ratio), 1.0, play, *elastic, at_input)
     return building.add(("gear", number), "GEAR_TRANSMISSION", *values)
@@ -136,7 +138,8 @@ def _motor(building: Building, number: int, name: str, drive: Drive) -> tuple[Re
         told = UNSET if effort == own else bounded(effort)
         building.add((*key, "loop"), "CURRENT_CONTROLLER", made, float(motor.bandwidth), told)
         return made, UNSET
-    return building.add(key, "IDEAL_EFFORT_SOURCE", f"motor {name}", bounded(effort), UNSET), UNSET
+    lag = float(motor.bandwidth) if isinstance(motor, LaggingMotor) else UNSET
+    return building.add(key, "IDEAL_EFFORT_SOURCE", f"motor {name}", bounded(effort), lag), UNSET
 
 
 def _dc_motor(

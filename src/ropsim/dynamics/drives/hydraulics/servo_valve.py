@@ -6,7 +6,6 @@ H. E. Merritt: Hydraulic Control Systems, Wiley 1967, chapter 5.
 from collections.abc import Callable
 from math import copysign
 from math import sqrt as root
-from operator import ge, gt
 
 from ropsim.codegen import Scalar, maximum, sqrt
 from ropsim.dynamics.drives.block import Column, Numbers
@@ -112,21 +111,18 @@ def flow_into(record: Hydraulic, pressure: float, opening: float) -> float:
     return edge * (_edge(record, opening) * into - _edge(record, -opening) * out)
 
 
-def middle_of(grows: Callable[[float], float], most: float) -> float:
-    """Return where a function that never falls is 0: the middle of it, where that is a range.
+def crossing(grows: Callable[[float], float], most: float) -> float:
+    """Return where a function that grows is 0, by halving.
 
     Args:
         grows: the function.
         most: the place is within ±most.
     """
-    ends = []
-    for reached in (ge, gt):
-        low, high = -most, most
-        for _ in range(_HALVINGS):
-            between = 0.5 * (low + high)
-            low, high = (low, between) if reached(grows(between), 0.0) else (between, high)
-        ends.append(0.5 * (low + high))
-    return 0.5 * sum(ends)
+    low, high = -most, most
+    for _ in range(_HALVINGS):
+        between = 0.5 * (low + high)
+        low, high = (low, between) if grows(between) >= 0.0 else (between, high)
+    return 0.5 * (low + high)
 
 
 def _least(record: Hydraulic) -> float:

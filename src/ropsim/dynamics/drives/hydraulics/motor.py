@@ -7,13 +7,13 @@ from math import copysign
 
 from ropsim.codegen import Scalar
 from ropsim.dynamics.drives.block import MotorBlock, Movement, Numbers, Steady, Torque
-from ropsim.dynamics.drives.servo_valve import (
+from ropsim.dynamics.drives.hydraulics.servo_valve import (
     MOST_OPENING,
     VALVE_NUMBERS,
     VALVE_POSITIVE,
     VALVE_STATES,
+    crossing,
     flow_into,
-    middle_of,
     opening_for,
     trace_flows,
     trace_spool,
@@ -41,7 +41,7 @@ def steady_motor(motor: HydraulicMotor | HydraulicVane, torque: float, speed: fl
     a, b = middle + 0.5 * load, middle - 0.5 * load
     opening = opening_for(motor, flow, fall)
     if motor.null_flow and motor.return_pressure < a < motor.supply_pressure:
-        opening = middle_of(lambda x: flow_into(motor, a, x) - flow, MOST_OPENING)
+        opening = crossing(lambda x: flow_into(motor, a, x) - flow, MOST_OPENING)
     return Steady((a, b, opening, 0.0), opening * motor.rated_input)
 
 

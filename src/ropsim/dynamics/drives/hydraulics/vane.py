@@ -5,8 +5,8 @@ M. Jelali, A. Kroll: Hydraulic Servo-systems, Springer 2003, chapter 4.
 
 from ropsim.codegen import Scalar, maximum, minimum
 from ropsim.dynamics.drives.block import MotorBlock, Movement, Numbers, Torque
-from ropsim.dynamics.drives.hydraulic_motor import most_torque, steady_motor
-from ropsim.dynamics.drives.servo_valve import (
+from ropsim.dynamics.drives.hydraulics.motor import most_torque, steady_motor
+from ropsim.dynamics.drives.hydraulics.servo_valve import (
     VALVE_NUMBERS,
     VALVE_POSITIVE,
     VALVE_STATES,

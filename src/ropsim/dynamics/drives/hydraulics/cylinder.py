@@ -6,13 +6,13 @@ Servo-systems, Springer 2003, chapter 4.
 
 from ropsim.codegen import Scalar, maximum, minimum
 from ropsim.dynamics.drives.block import MotorBlock, Movement, Numbers, Steady, Torque
-from ropsim.dynamics.drives.servo_valve import (
+from ropsim.dynamics.drives.hydraulics.servo_valve import (
     MOST_OPENING,
     VALVE_NUMBERS,
     VALVE_POSITIVE,
     VALVE_STATES,
+    crossing,
     flow_into,
-    middle_of,
     opening_for,
     trace_flows,
     trace_spool,
@@ -80,14 +80,14 @@ def _leaking(cylinder: HydraulicCylinder, force: float, speed: float) -> Steady:
             into = area_b * flow_into(cylinder, a, opening) + area_a * flow_into(cylinder, b, -opening)
             return (area_b - area_a) * leak(b) - into
 
-        b = middle_of(short, most)
+        b = crossing(short, most)
         return (force + area_b * b) / area_a, b
 
     def faster(opening: float) -> float:
         a, b = pressures(opening)
         return flow_into(cylinder, a, opening) - leak(b) - area_a * speed
 
-    opening = middle_of(faster, MOST_OPENING)
+    opening = crossing(faster, MOST_OPENING)
     return Steady((*pressures(opening), opening, 0.0), opening * cylinder.rated_input)
 
 
