@@ -196,10 +196,10 @@ class _Run:
         return end
 
 
-def _pass(origin: Origin) -> tuple[int, ...]:
+def _pass(origin: Origin) -> tuple[object, ...]:
     """Return what findings say of the origin of a step besides its line."""
     point = origin.point
-    return (origin.visit, point.number, point.line) if point else (origin.visit,)
+    return (origin.visit, point.list, point.number, point.source, point.line) if point else (origin.visit,)
 
 
 def _is_look(step: Instruction) -> bool:

@@ -60,6 +60,7 @@ from ropsim.model.cell.tool_shapes import flange_height as flange_height
 from ropsim.model.cell.tool_shapes import grip_width as grip_width
 from ropsim.model.cell.tool_shapes import tool_shapes as tool_shapes
 from ropsim.model.controller import GAIN_NAMES as GAIN_NAMES
+from ropsim.model.controller import LAW_WORDS as LAW_WORDS
 from ropsim.model.controller import OVERRUN as OVERRUN
 from ropsim.model.controller import SPEED_OVERSHOOT as SPEED_OVERSHOOT
 from ropsim.model.controller import CascadedGains as CascadedGains

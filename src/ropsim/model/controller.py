@@ -71,6 +71,14 @@ class ControllerKind(Enum):
     IDEAL = "ideal"
 
 
+LAW_WORDS = {
+    ControllerKind.COMPUTED_TORQUE: "computed torque",
+    ControllerKind.CASCADED_P_PI: "fixed gains",
+    ControllerKind.IDEAL: "ideal",
+}
+"""What people call the laws."""
+
+
 @frozen_dataclass
 class Rates:
     """The fixed periods of a controller; integer multiples of each other.

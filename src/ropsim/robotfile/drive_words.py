@@ -1,5 +1,7 @@
 """Drives as TOML text."""
 
+from typing import assert_never
+
 from ropsim.core import frozen_dataclass
 from ropsim.model import (
     COPPER,
@@ -208,4 +210,7 @@ def _own(law: FrictionLaw) -> dict[str, str]:
                 "bristle_stiffness": number(law.bristle_stiffness),
                 "bristle_damping": unless(law.bristle_damping, 0.0),
             }
-    return {}
+        case Friction():
+            return {}
+        case _:
+            assert_never(law)

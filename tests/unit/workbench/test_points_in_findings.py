@@ -123,3 +123,16 @@ def test_a_list_that_is_flown_again_says_its_points_once(tmp_path: Path) -> None
     found = [message for message, line, _ in told(folder_of(tmp_path, lines, points)) if line == 5]
     assert len(found) == 1
     assert found[0].startswith("point 2 of `zig` (points/zig.csv line 4): ")
+
+
+def test_points_of_two_lists_at_one_line_are_counted_apart(tmp_path: Path) -> None:
+    lines = [
+        *("task visit(p: loc)", "  lin p above 5 blend 1 speed 200", "endp", "mov zig[1] above 5"),
+        *("for each p in zig", "  visit(p)", "endf", "for each q in few", "  visit(q)", "endf", "mov home"),
+    ]
+    folder = folder_of(tmp_path, lines)
+    rows = [";".join(f"{one:g}" for one in (x, y, z + 40.0)) for x, y, z in ZIG[:8]]
+    (folder / "points" / "few.csv").write_text("\n".join(("x;y;z", "mm;mm;mm", *rows)) + "\n", "utf-8")
+    found = [message for message, _, _ in told(folder) if "a stop takes less time" in message]
+    assert {message.partition(" points of ")[2].partition(",")[0] for message in found} == {"`zig`", "`few`"}
+    assert {message.partition(" points of ")[0].partition(" of ")[2] for message in found} == {"50", "8"}

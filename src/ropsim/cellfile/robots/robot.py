@@ -11,6 +11,7 @@ from ropsim.cellfile.robots.external_axes import ExternalAxes, read_external_axe
 from ropsim.core import RopsimError
 from ropsim.model import (
     GAIN_NAMES,
+    LAW_WORDS,
     ControllerKind,
     ControllerModel,
     CorrectionLimits,
@@ -41,7 +42,6 @@ _PATH_KEYS = (
     "orientation_acceleration",
     "orientation_jerk",
 )
-_LAWS = {ControllerKind.COMPUTED_TORQUE: "computed torque", ControllerKind.CASCADED_P_PI: "fixed gains"}
 _GAIN = NUMBER.within(0.0, 1e6)
 _SHARES = {"kf": NUMBER.within(0.0, 2.0)}
 _SETTLE = TIME.within(0.0, 60.0)
@@ -245,12 +245,12 @@ def _with_stated_law(table: TomlTable, controller: ControllerModel, model: Robot
     """
     if controller.kind is ControllerKind.IDEAL:
         return controller
-    fixed, possible = _LAWS[ControllerKind.CASCADED_P_PI], [_LAWS[controller.kind]]
+    fixed, possible = LAW_WORDS[ControllerKind.CASCADED_P_PI], [LAW_WORDS[controller.kind]]
     if controller.kind is ControllerKind.COMPUTED_TORQUE and not robots.acts_directly(model):
         possible.append(fixed)
     belongs = "kd" not in table and any(name in table for name in GAIN_NAMES)
     law = table.choice("law", possible, fixed if belongs and fixed in possible else possible[0])
-    if law == _LAWS[controller.kind]:
+    if law == LAW_WORDS[controller.kind]:
         return controller
     return robots.cascaded_controller(model, controller.rates)
 

@@ -4,17 +4,16 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import fields
 
-from ropsim.model import ControllerKind, ControllerModel, JointType, RobotModel
+from ropsim.model import LAW_WORDS, ControllerModel, JointType, RobotModel
 from ropsim.simulation import FrequencyResponse, Margins, TimeResponse, lag_of, step_figures
 from ropsim.spatial import Array, record
 from ropsim.views import Style, TableCell, Tone, columns_text
 
 _UNITS = {JointType.REVOLUTE: (math.degrees(1.0), "°"), JointType.PRISMATIC: (1e3, " mm")}
-_LAWS = {ControllerKind.COMPUTED_TORQUE: "computed torque", ControllerKind.CASCADED_P_PI: "fixed gains"}
 _SLOWEST = 3
 """Modes that are shown."""
 _LARGE = 1e3
-"""Factors from here on are not told apart from inf."""
+"""Factors from here on are not told apart from inf, and numbers have no exponent."""
 
 
 @record
@@ -67,7 +66,7 @@ def response_text(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> str
         tested: at least one axis.
         style: whether it has colours.
     """
-    law, hz = _LAWS[rest.controller.kind], rest.controller.rates.control_hz
+    law, hz = LAW_WORDS[rest.controller.kind], rest.controller.rates.control_hz
     load = f"{rest.load:.3g} kg at the flange" if rest.load else "no load"
     lines = [f"{rest.robot.title or rest.robot.name}: {law} at {hz} Hz, {rest.place}, {load}", ""]
     if any(one.response for one in tested):
@@ -81,12 +80,12 @@ def response_text(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> str
         for one, ratio in zip(frequencies[:_SLOWEST].tolist(), ratios[:_SLOWEST].tolist(), strict=True)
     ]
     lines.append(f"slowest modes: {', '.join(shown)}" if shown else "no mode of the loops oscillates")
-    lines.append("margins and modes are those about the rest, without dry friction and limits of amplifiers")
+    lines.append("margins and modes: about the rest, without dry friction, play, and limits of amplifiers")
     return "\n".join(lines) + "\n"
 
 
 def _in_time(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> list[str]:
-    beside = ("others off\nby", "amplifier at\nlimit %")
+    beside = ("others off\nby", "drive at\nlimit %")
     header: tuple[str, ...] = ("axis", "step", "rise\nms", "overshoot\n%", "settling\nms", "left", *beside)
     if rest.is_ramp:
         header = ("axis", "ramp", "behind at\nthe end", "behind\nat most", *beside)
@@ -144,7 +143,7 @@ def _margins(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> list[str
             _number(margin.gain_hz, "-"),
             f"{math.degrees(margin.phase):.0f}" if math.isfinite(margin.phase) else "-",
             _number(margin.phase_hz, "-"),
-            _number(1e3 * margin.late, "-"),
+            _number(1e3 * margin.delay, "-"),
             f"{margin.sensitivity:.2f}",
         )
         rows.append((name, *map(TableCell, texts)))
@@ -226,7 +225,9 @@ def _name(rest: Rest, axis: int) -> str:
 
 
 def _number(value: float, otherwise: str) -> str:
-    return f"{value:.3g}" if math.isfinite(value) else otherwise
+    if not math.isfinite(value):
+        return otherwise
+    return f"{value:.3g}" if value < _LARGE else f"{value:.0f}"
 
 
 def _plain(value: float) -> float | None:

@@ -1,5 +1,7 @@
 """Laws of friction as instances, at the motor."""
 
+from typing import assert_never
+
 from ropsim.model import Friction, FrictionLaw, LoadFriction, LugreFriction, StribeckFriction
 from ropsim.nirox.building import UNSET, Building
 from ropsim.part21 import Enumeration, Value
@@ -36,5 +38,8 @@ def _entity(law: FrictionLaw) -> tuple[str, tuple[Value, ...]]:
         case LugreFriction():
             bristles = (law.bristle_stiffness, law.bristle_damping)
             return "LUGRE_FRICTION", tuple(map(float, (law.breakaway, law.stribeck_speed, *bristles)))
-    positive, negative = float(law.coulomb_positive), -float(law.coulomb_negative)
-    return "COULOMB_VISCOUS_FRICTION", (UNSET if negative == positive else negative,)
+        case Friction():
+            positive, negative = float(law.coulomb_positive), -float(law.coulomb_negative)
+            return "COULOMB_VISCOUS_FRICTION", (UNSET if negative == positive else negative,)
+        case _:
+            assert_never(law)

@@ -18,6 +18,8 @@ SAMPLES = 48
 _REACHED = 0.98
 """Share of a bound from which on it counts as reached."""
 _SHARES = np.linspace(0.0, 1.0, 9)
+_CLOSE = np.linspace(0.0, 1.0, 257)
+"""Shares of a way between which a bend of a curve through many points is not missed."""
 
 
 def law_samples(section: TimedSection, times: Sequence[float]) -> LawRows:
@@ -128,7 +130,7 @@ def _least_radius(span: MoveOnSection) -> float:
     for path_segment, begin, end in span.parts:
         tool = path_segment.tool
         if path_segment.blend is None and tool is not None and constant_derivatives(tool) is None:
-            rows = tool.tool(begin + _SHARES * (end - begin))
+            rows = tool.tool(begin + _CLOSE * (end - begin))
             most = max(most, float(np.linalg.norm(rows.d2[:, :3], axis=1).max()))
     return 1.0 / most if most > 0.0 else math.inf
 

@@ -8,16 +8,15 @@ from typing import Any
 import numpy as np
 
 from ropsim.codegen import Engine, load
-from ropsim.controller import CompiledLaw, LawTraits, law_of
-from ropsim.dynamics import arm_numbers, barycentric, gravity, steady_drive, structure_of
+from ropsim.controller import CompiledLaw, law_of
+from ropsim.dynamics import arm_numbers, barycentric, structure_of
 from ropsim.model import ControllerModel, Friction, Payload, RobotModel
+from ropsim.simulation.servo.held_state import SMALL, held_state, without_dead_zones
 from ropsim.simulation.servo.plant_code import plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
 from ropsim.simulation.servo.state import StateLayout
 from ropsim.spatial import Array, frozen, record
 
-_SMALL = 1e-6
-"""Half of a difference over a number at 0; over its magnitude where that is beyond 1."""
 _NO_SIGNALS = np.zeros(0)
 
 
@@ -96,7 +95,8 @@ def linear_loop(
     """Return plant and law about a rest, without dry friction, which would damp the loop.
 
     Near standstill dry friction is a steep smooth curve in simulations: a loop that only this damps is not
-    damped in motion. Amplifiers are away from their limits.
+    damped in motion. Amplifiers are away from their limits, gears on their flanks, valves beyond their
+    overlap.
 
     Args:
         robot: with drives.
@@ -105,8 +105,8 @@ def linear_loop(
         payload: tool and part; the law knows it.
         law: another law than that of the controller model.
     """
-    arm = _without_dry_friction(robot)
-    x, u = _rest(arm, q, payload)
+    arm = without_dead_zones(_without_dry_friction(robot))
+    x, u = held_state(arm, q, payload)
     chosen, rates = law or law_of(controller, robot), controller.rates
     F, G = _plant(arm, payload, (x, u), rates.control_period, plant_steps_of(robot, rates))
     K, L = _law(chosen, robot, x, payload)
@@ -119,18 +119,6 @@ def _without_dry_friction(robot: RobotModel) -> RobotModel:
         for one in robot.drives
     )
     return replace(robot, drives=tuple(drives))
-
-
-def _rest(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Array]:
-    """Return the integrated state of an arm at rest, and the outputs of its amplifiers."""
-    layout = StateLayout.of(structure_of(robot).drives, LawTraits())
-    x, u = np.zeros(layout.integrated), np.zeros(robot.n)
-    x[: robot.n] = q
-    for k, (drive, tau) in enumerate(zip(robot.drives, gravity(robot, q, payload).tolist(), strict=True)):
-        held = steady_drive(drive, float(q[k]), 0.0, tau)
-        x[list(layout.drive(k))] = held.states
-        u[k] = held.output
-    return x, u
 
 
 def _plant(
@@ -184,7 +172,7 @@ def _law(law: CompiledLaw, robot: RobotModel, x: Array, payload: Payload) -> tup
 
 def _differences(function: Callable[[Array], Array], values: Array) -> Array:
     """Return the Jacobian of a function by central differences."""
-    sizes = _SMALL * np.maximum(1.0, np.abs(values))
+    sizes = SMALL * np.maximum(1.0, np.abs(values))
     columns = [
         (function(values + h) - function(values - h)) / (2.0 * size)
         for h, size in zip(np.diag(sizes), sizes.tolist(), strict=True)

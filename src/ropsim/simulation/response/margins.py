@@ -24,10 +24,10 @@ class Margins:
         stable: whether the closed loop is; the margins of one that is not mean nothing and are NaN.
         gain: least factor by which a greater gain makes it oscillate; inf where none does.
         gain_hz: at this frequency [Hz]; NaN where none does.
-        less: greatest factor below 1 by which a smaller gain makes it oscillate; 0 where none does.
+        lower_gain: greatest factor below 1 by which a smaller gain makes it oscillate; 0 where none does.
         phase: least further lag at which it oscillates [rad]; inf where the gain is nowhere 1.
         phase_hz: at this frequency [Hz]; NaN where the gain is nowhere 1.
-        late: time by which the output may act later [s]; inf where the gain is nowhere 1.
+        delay: time by which the output may act later [s]; inf where the gain is nowhere 1.
         sensitivity: largest magnitude of 1/(1 + L), Ms.
         sensitivity_hz: at this frequency [Hz].
     """
@@ -35,10 +35,10 @@ class Margins:
     stable: bool
     gain: float
     gain_hz: float
-    less: float
+    lower_gain: float
     phase: float
     phase_hz: float
-    late: float
+    delay: float
     sensitivity: float
     sensitivity_hz: float
 
@@ -47,10 +47,10 @@ UNSTABLE = Margins(
     stable=False,
     gain=nan,
     gain_hz=nan,
-    less=nan,
+    lower_gain=nan,
     phase=nan,
     phase_hz=nan,
-    late=nan,
+    delay=nan,
     sensitivity=nan,
     sensitivity_hz=nan,
 )
@@ -81,12 +81,6 @@ class FrequencyResponse:
             return float(self.hz[0])
         x, y = np.log(self.hz[last - 1 : last + 1]), self.gain[last - 1 : last + 1]
         return float(np.exp(x[0] + (_HALF_POWER - y[0]) * (x[1] - x[0]) / (y[1] - y[0])))
-
-    @property
-    def resonance(self) -> tuple[float, float]:
-        """Return the largest amplitude over that of the reference, and its frequency [Hz]."""
-        place = int(self.gain.argmax())
-        return float(self.gain[place]), float(self.hz[place])
 
 
 def natural_modes(loop: LinearLoop) -> tuple[Array, Array]:
@@ -144,10 +138,10 @@ def margins(loop: LinearLoop, axis: int) -> Margins:
         stable=True,
         gain=gain,
         gain_hz=float(at[more][factors[more].argmin()]) if more.any() else nan,
-        less=float(factors[fewer].max()) if fewer.any() else 0.0,
+        lower_gain=float(factors[fewer].max()) if fewer.any() else 0.0,
         phase=float(lags[least]) if len(lags) else inf,
         phase_hz=float(places[least]) if len(lags) else nan,
-        late=float((lags / (2.0 * pi * places)).min()) if len(lags) else inf,
+        delay=float((lags / (2.0 * pi * places)).min()) if len(lags) else inf,
         sensitivity=float(inverse[most]),
         sensitivity_hz=float(hz[most]),
     )

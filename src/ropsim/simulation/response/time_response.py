@@ -5,9 +5,9 @@ from math import nan
 import numpy as np
 
 from ropsim.controller import CompiledLaw, PythonLaw
-from ropsim.dynamics import structure_of
+from ropsim.dynamics import LimitSort, structure_of
 from ropsim.flow import JointReference
-from ropsim.model import ControllerModel, Payload, RobotModel
+from ropsim.model import ControllerModel, CurrentLoopMotor, Payload, RobotModel
 from ropsim.simulation.servo.log import LogLayout
 from ropsim.simulation.servo.servo import Servo
 from ropsim.spatial import Array, frozen, record
@@ -18,7 +18,7 @@ LEAST_TIME, LONGEST_TIME = 0.5, 8.0
 """How long an answer is looked at [s]: until it has long settled, within these."""
 _REST = 2.0
 """It has long settled when it was within its band for so long as it took to get there."""
-_NEAR = 1e-9
+_NEAR = 1e-6
 _SLICE = 0.25
 """Time between two looks [s]."""
 
@@ -34,7 +34,7 @@ class TimeResponse:
         moved: coordinate of the axis, from where it was [rad | m], shape (k,).
         effort: torque or force of its drive at the joint [N·m | N], shape (k,).
         others: largest deviations of the other axes [rad | m], 0 for this one, shape (n,).
-        at_limit: share of the time at which the amplifier is at its limit.
+        at_limit: share of the time at which the drive gives as much as it may.
     """
 
     axis: int
@@ -53,7 +53,7 @@ class StepFigures:
     Attributes:
         rise: time from a tenth to nine tenths of the step [s]; NaN where it never gets there.
         overshoot: how far it goes beyond, over the step.
-        peak: time of the farthest point [s].
+        peak_time: time of the farthest point [s].
         settling: time from which on it stays within 2 % of the step [s]; NaN where it does not in the time
             that is looked at.
         error: what is left at the end [rad | m].
@@ -61,7 +61,7 @@ class StepFigures:
 
     rise: float
     overshoot: float
-    peak: float
+    peak_time: float
     settling: float
     error: float
 
@@ -202,9 +202,22 @@ def _is_over(answer: TimeResponse, size: float) -> bool:
 
 
 def _at_limit(robot: RobotModel, log: dict[str, Array], axis: int) -> float:
-    """Return the share of the time at which the amplifier of an axis gives as much as it can."""
-    chains = structure_of(robot).drives
-    amplifier = chains[axis].amplifier
-    field = LogLayout.of(chains).field(amplifier.output.name)
-    most = float(getattr(robot.drives[axis].amplifier, amplifier.numbers[0]))
-    return float((np.abs(log[field.name][1:, field.axes.index(axis)]) >= (1.0 - _NEAR) * most).mean())
+    """Return the share of the time at which the drive of an axis gives as much as it may.
+
+    That is its amplifier at its largest output, or a current at its limit.
+    """
+    chains, drive = structure_of(robot).drives, robot.drives[axis]
+    amplifier, layout = chains[axis].amplifier, LogLayout.of(chains)
+    most = {amplifier.output.name: float(getattr(drive.amplifier, amplifier.numbers[0]))}
+    most |= {
+        one.column: one.near * float(getattr(drive.amplifier, one.number))
+        for one in amplifier.limits
+        if one.sort is LimitSort.LASTING
+    }
+    if isinstance(drive.motor, CurrentLoopMotor):
+        most["current"] = drive.motor.max_current
+    full = np.zeros(len(log["q"]) - 1, np.bool_)
+    for name, value in most.items():
+        column = log[name][1:, layout.field(name).axes.index(axis)]
+        full |= np.abs(column) >= (1.0 - _NEAR) * value
+    return float(full.mean())

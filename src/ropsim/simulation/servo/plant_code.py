@@ -149,7 +149,7 @@ def efforts(robot: RobotModel, x: Array, u: Array, tau: Array) -> None:
     _evaluated(robot, "efforts", x, u, tau)
 
 
-def drive_sides(robot: RobotModel, x: Array, u: Array) -> Array:
+def plant_sides(robot: RobotModel, x: Array, u: Array) -> Array:
     """Return what the drives do at the joints: efforts less friction, inertias, and rates of their states.
 
     Args:

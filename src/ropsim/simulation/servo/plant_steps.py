@@ -6,12 +6,12 @@ from math import ceil, inf, isfinite
 
 import numpy as np
 
-from ropsim.codegen import Engine
 from ropsim.controller import LawTraits
-from ropsim.dynamics import compiled, mass_matrices, rotor_inertias, steady_drive, structure_of
+from ropsim.dynamics import mass_matrices, rotor_inertias, structure_of
 from ropsim.kinematics import configurations
 from ropsim.model import Payload, Rates, RobotModel
-from ropsim.simulation.servo.plant_code import drive_sides
+from ropsim.simulation.servo.held_state import SMALL, held_state, without_dead_zones
+from ropsim.simulation.servo.plant_code import plant_sides
 from ropsim.simulation.servo.state import StateLayout
 from ropsim.spatial import Array
 
@@ -28,9 +28,6 @@ MOST = 100
 
 _SAMPLES = 8
 """Configurations besides the home position at which poles are computed."""
-
-_DIFFERENCE = 1e-6
-"""Half of a difference over a state at 0; over its magnitude where that is beyond 1."""
 
 
 def plant_steps_of(robot: RobotModel, rates: Rates) -> int:
@@ -54,8 +51,8 @@ def fastest_pole(robot: RobotModel) -> float:
     """Return the largest magnitude of a pole of drives and arm at rest [1/s]; inf where nothing is moved.
 
     The equations are linearised in the home position and in some configurations of the whole range, with
-    the drives in the state that holds the arm. How the mass matrix and gravity change with the posture has
-    no part in a pole as fast as those that limit a step.
+    the drives in the state that holds the arm, gears on their flanks and valves beyond their overlap. How the
+    mass matrix and gravity change with the posture has no part in a pole as fast as those that limit a step.
 
     Args:
         robot: with drives, without payload.
@@ -63,6 +60,7 @@ def fastest_pole(robot: RobotModel) -> float:
     Raises:
         MissingMassError: M590, no link has a mass.
     """
+    robot = without_dead_zones(robot)
     layout = StateLayout.of(structure_of(robot).drives, LawTraits())
     Q = np.vstack((robot.home, configurations(robot, _SAMPLES)))
     links = mass_matrices(robot, Q) - rotor_inertias(robot, Q)[:, :, np.newaxis] * np.eye(robot.n)
@@ -74,8 +72,8 @@ def fastest_pole(robot: RobotModel) -> float:
 def _magnitudes(robot: RobotModel, layout: StateLayout, q: Array, links: Array) -> Array:
     """Return the magnitudes of the poles at a configuration [1/s], all inf where an axis moves nothing."""
     n, size = robot.n, layout.integrated
-    x, u = _held(robot, layout, q)
-    middle = drive_sides(robot, x, u)
+    x, u = held_state(robot, q, Payload())
+    middle = plant_sides(robot, x, u)
     mass = links + np.diag(middle[n : 2 * n])
     A = np.zeros((size, size))
     A[:n, n : 2 * n] = np.eye(n)
@@ -85,8 +83,8 @@ def _magnitudes(robot: RobotModel, layout: StateLayout, q: Array, links: Array) 
         moved = [(axis, place) for axis, place in enumerate(places) if place is not None]
         at = [place for _, place in moved]
         step = np.zeros(size)
-        step[at] = _DIFFERENCE * np.maximum(1.0, np.abs(x[at]))
-        change = drive_sides(robot, x + step, u) - drive_sides(robot, x - step, u)
+        step[at] = SMALL * np.maximum(1.0, np.abs(x[at]))
+        change = plant_sides(robot, x + step, u) - plant_sides(robot, x - step, u)
         for axis, place in moved:
             own = list(drives[axis])
             forces[axis, place] = change[axis] / (2.0 * step[place])
@@ -96,16 +94,3 @@ def _magnitudes(robot: RobotModel, layout: StateLayout, q: Array, links: Array) 
         return np.asarray(np.abs(np.linalg.eigvals(A)))
     except np.linalg.LinAlgError:
         return np.full(size, inf)
-
-
-def _held(robot: RobotModel, layout: StateLayout, q: Array) -> tuple[Array, Array]:
-    """Return the integrated state of an arm that its drives hold, and the outputs of the amplifiers."""
-    n, rest = robot.n, np.zeros(robot.n)
-    x, u, tau = np.zeros(layout.integrated), np.empty(n), np.empty(n)
-    compiled(robot, Payload(), Engine.PYTHON).rigid_inverse(q, rest, rest, np.zeros(6), tau)
-    x[:n] = q
-    for axis, drive in enumerate(robot.drives):
-        held = steady_drive(drive, float(q[axis]), 0.0, float(tau[axis]))
-        x[list(layout.drive(axis))] = held.states
-        u[axis] = held.output
-    return x, u

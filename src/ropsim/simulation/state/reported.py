@@ -8,7 +8,8 @@ from ropsim.flow import Event, ListedPoint, MoveEvent, SkipEvent
 
 Pass = tuple[str, int]
 """A list and the number of a point of it; without a list the number of a loop pass."""
-_Sort = tuple[str, str, Span | str, str]
+_Sort = tuple[str, str, Span | str, str, str]
+"""Station, code, place, cause or joint, and the list of the point, empty for none."""
 
 
 @dataclass(slots=True)
@@ -29,7 +30,8 @@ class _Reported:
 class ReportedOnce:
     """Which findings of plans have been reported; the passes of the others are counted.
 
-    Findings are of one sort if station, code, place, and cause or joint agree: their numbers may differ.
+    Findings are of one sort if station, code, place, cause or joint, and list of points agree: their numbers
+    may differ.
     """
 
     def __init__(self) -> None:
@@ -44,8 +46,8 @@ class ReportedOnce:
             number: that it gets among the findings of the run.
         """
         sameness = finding.data.get("cause", finding.data.get("joint", ""))
-        sort = station, finding.code, finding.span or finding.message, str(sameness)
         here = _pass_of(finding), _number(finding.data, "pass")
+        sort = station, finding.code, finding.span or finding.message, str(sameness), here[0][0]
         reported = self._sorts.setdefault(sort, _Reported(here, [], {}))
         reported.passes[here[0]] = None
         if here != reported.first:
@@ -67,9 +69,9 @@ class ReportedOnce:
                 here = (point.list, point.number) if point else ("", one.visit)
                 passes.setdefault((one.station, one.span), {})[here] = None
         found = [_placed(one) for one in findings]
-        for (station, _, place, _), reported in self._sorts.items():
+        for (station, _, place, _, list_), reported in self._sorts.items():
             if len(reported.passes) > 1 and isinstance(place, Span):
-                whole = len(passes.get((station, place), {}))
+                whole = sum(name == list_ for name, _ in passes.get((station, place), {}))
                 for number in reported.numbers:
                     found[number] = _counted(findings[number], tuple(reported.passes), whole)
         return found

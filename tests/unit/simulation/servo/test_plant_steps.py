@@ -11,6 +11,7 @@ from ropsim.codegen import Engine, load
 from ropsim.controller import LawTraits
 from ropsim.dynamics import arm_numbers, structure_of
 from ropsim.model import (
+    BacklashGear,
     Drive,
     EffortAmplifier,
     ElasticGear,
@@ -107,3 +108,13 @@ def test_a_slow_controller_moves_a_puma(hz: int) -> None:
     start, reference = two.initial_state(START), quintic(START, GOAL, 2 * hz)
     with pytest.raises(DivergedError):
         two.run(start, reference, Payload(), two.recorder(start))
+
+
+def test_a_gear_with_play_has_the_pole_of_its_flanks() -> None:
+    """In the middle of its play an axis without load feels no spring; it leaves that at once."""
+    motor, ratio, stiffness, link = 1e-4, 50.0, 4e6, 0.6
+    gears = ElasticGear(ratio, stiffness, 30.0), BacklashGear(ratio, stiffness, 30.0, 3e-4)
+    poles = [
+        fastest_pole(one_axis(Drive(EffortAmplifier(), IdealMotor(motor), gear), link)) for gear in gears
+    ]
+    assert poles[0] == poles[1] > 4000.0

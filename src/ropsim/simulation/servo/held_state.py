@@ -1,0 +1,60 @@
+"""An arm that its drives hold at rest: the state about which plant and loops are linearised."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ropsim.codegen import Engine
+from ropsim.controller import LawTraits
+from ropsim.dynamics import compiled, steady_drive, structure_of
+from ropsim.model import BacklashGear, Drive, ElasticGear, Hydraulic, Payload, RobotModel
+from ropsim.simulation.servo.state import StateLayout
+from ropsim.spatial import Array
+
+SMALL = 1e-6
+"""Half of a difference over a number at 0; over its magnitude where that is beyond 1."""
+
+
+def held_state(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Array]:
+    """Return the integrated part of the state of an arm at rest, and the outputs of its amplifiers.
+
+    Args:
+        robot: with drives.
+        q: joint coordinates [rad | m], shape (n,).
+        payload: tool and part.
+    """
+    n, rest = robot.n, np.zeros(robot.n)
+    layout = StateLayout.of(structure_of(robot).drives, LawTraits())
+    x, u, tau = np.zeros(layout.integrated), np.empty(n), np.empty(n)
+    # a single evaluation: plain Python is faster than compiling it
+    compiled(robot, payload, Engine.PYTHON).rigid_inverse(q, rest, rest, np.zeros(6), tau)
+    x[:n] = q
+    for axis, drive in enumerate(robot.drives):
+        held = steady_drive(drive, float(q[axis]), 0.0, float(tau[axis]))
+        x[list(layout.drive(axis))] = held.states
+        u[axis] = held.output
+    return x, u
+
+
+def without_dead_zones(robot: RobotModel) -> RobotModel:
+    """Return an arm whose gears are on their flanks and whose valves are beyond their overlap.
+
+    Within the play of a gear or the overlap of a valve nothing acts: there a loop is open and no spring is
+    felt, and a motion leaves it at once.
+    """
+    if not any(isinstance(one.transmission, BacklashGear) or _overlaps(one) for one in robot.drives):
+        return robot
+    return replace(robot, drives=tuple(_acting(one) for one in robot.drives))
+
+
+def _overlaps(drive: Drive) -> bool:
+    return isinstance(drive.motor, Hydraulic) and drive.motor.overlap > 0.0
+
+
+def _acting(drive: Drive) -> Drive:
+    gear = drive.transmission
+    if isinstance(gear, BacklashGear):
+        drive = replace(drive, transmission=ElasticGear(gear.ratio, gear.stiffness, gear.damping))
+    if isinstance(drive.motor, Hydraulic) and drive.motor.overlap > 0.0:
+        drive = replace(drive, motor=replace(drive.motor, overlap=0.0))
+    return drive
