@@ -44,7 +44,7 @@ _MISFIT = 1.5e-3
 
 Planning is not smooth: a limit that changes by some thousandths may change a motion that joints slow down
 by a thousandth of its way."""
-_LATE = 4e-3
+_LATE = 1e-2
 """Share of its time by which a sequence is wrong, root of the mean square, from which on they are tried too:
 ends of motions are a small way and a long time."""
 _RISE = 1.4
@@ -90,8 +90,11 @@ class Problem:
             judged = [*tried, *self.chosen(free)]
             settings = self._tried(tried[:_FEWEST], likely, settings, of_tool, judged)
         look = best_look_ahead(self.replan, tried, settings, among, known)
-        for _ in range(_ROUNDS):
-            settings = self.limits(self.logged, with_look_ahead(settings, look.value))
+        for number in range(_ROUNDS):
+            begin = with_look_ahead(settings, look.value)
+            settings = (
+                self.limits(self.logged, begin) if number == 0 else self.limits_near(self.logged, begin)
+            )
             again = best_look_ahead(self.replan, tried, settings, among, known)
             if again.value == look.value:
                 look = again
@@ -104,9 +107,21 @@ class Problem:
 
         Those that fit worst are added to the chosen ones, so that each sequence counts that tells something.
         """
-        used, every = self.chosen(logged), np.arange(len(settings.all))
-        known = with_look_ahead(self.known, settings.look_ahead)
-        best = self._started(used, settings)
+        used = self.chosen(logged)
+        return self._gathered(logged, used, self._started(used, settings))
+
+    def limits_near(self, logged: Sequence[LoggedSequence], settings: MotionSettings) -> MotionSettings:
+        """Return limits that fit some sequences together; the given ones are those of a fit already."""
+        used = self.chosen(logged)
+        begin = refined(self.replan, used, settings, np.arange(len(settings.all)))
+        return self._gathered(logged, used, begin)
+
+    def _gathered(
+        self, logged: Sequence[LoggedSequence], used: list[LoggedSequence], best: Trial
+    ) -> MotionSettings:
+        """Return a fit to chosen sequences and those that fit worst; known limits stay where they fit too."""
+        every = np.arange(len(best.settings.all))
+        known = with_look_ahead(self.known, best.settings.look_ahead)
         for _ in range(_GATHERINGS):
             more = self._worst([one for one in logged if one not in used], best)
             if not more:

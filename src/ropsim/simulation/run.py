@@ -29,7 +29,8 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
 
     A move that cannot be made becomes a finding on its source line and is skipped; the program goes on, so
     that one run shows all these lines. Where the state of an arm becomes NaN or infinite, or a law fails, the
-    run ends with a finding on the line (S701, C601); the recording has what was until then.
+    run ends with a finding on the line (S701, C601), once the other stations have come as far; the recording
+    has what was until then.
 
     Args:
         cell: static model.
@@ -45,8 +46,12 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
     forgotten = -1
     while state.at_work:
         if are_endless(state, options):
+            if state.lost_tick is not None:
+                break
             end_waits(state, programs)
         name = _least_far(state)
+        if state.lost_tick is not None and state.stations[name].due >= state.lost_tick:
+            break
         if device := state.next_device(until=state.stations[name].due):
             act(state, device)
             continue
@@ -59,6 +64,8 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
         _work_on(state, name, programs)
         if name in state.at_work:
             state.watch.advanced(state)
+    for name in state.at_work:
+        state.stations[name].unfinished = True
     state.come_together()
     find_pulls(state, state.tick, programs)
     state.watch.ended(state)
@@ -81,10 +88,9 @@ def _work_on(state: CellRun, name: str, programs: Mapping[str, Program]) -> None
         del state.at_work[name]
     except (DivergedError, LawError, ServoArrayError) as error:
         at = state.stations[name]
-        at.tick, at.is_lost = at.plant.tick, True
+        at.tick, at.is_lost, at.unfinished = at.plant.tick, True, True
         state.findings.append(error.diagnostic)
-        for other in state.at_work:
-            state.stations[other].unfinished = True
-        state.at_work.clear()
+        state.lost_tick = min(at.due, state.lost_tick if state.lost_tick is not None else at.due)
+        del state.at_work[name]
     if len(state.findings) > known:
         state.findings[known:] = findings_at(name, programs, state.findings[known:])

@@ -116,18 +116,43 @@ def test_what_was_until_a_state_is_no_number_is_kept(cell: Cell) -> None:
         np.testing.assert_array_equal(lost.rows(channel)[:sound], whole.rows(channel)[:sound])
 
 
-def test_another_station_is_recorded_until_then(cell: Cell) -> None:
-    first = cell.first
-    both = replace(cell, stations={first.name: first, "other": replace(first, name="other")})
-    lines = ("wait 0.5 s", "mov joints (90, 60, -150, 0, -60, 0)")
-    programs = {first.name: code_of(both, *lines), "other": station_code(both, "other", *lines)}
-    laws = {first.name: gone_after(700.0)}
-    lost, whole = (run(both, programs, RunOptions(laws=some)) for some in (laws, {}))
-    assert "S701" in {one.code for one in lost.findings}
-    rows = lost.rows("other/q")
-    np.testing.assert_array_equal(
-        rows[lost.time <= 0.7], whole.rows("other/q")[: len(rows)][lost.time <= 0.7]
-    )
+@pytest.mark.parametrize("lost", ["robot", "zother"])
+def test_other_stations_go_on_until_then(cell: Cell, lost: str) -> None:
+    """The one whose state is lost is ahead by a slow line, or behind."""
+    both = replace(cell, stations={one: replace(cell.first, name=one) for one in ("robot", "zother")})
+    start = "mov (400, -200, 300; rpy 180 0 0)"
+    slow, quick = "lin (400, -100, 300; rpy 180 0 0) speed 20", "lin (400, -100, 300; rpy 180 0 0) speed 100"
+    lines = {one: (start, slow if one == lost else quick, "wait 8 s") for one in both.stations}
+    programs = {
+        "robot": code_of(both, *lines["robot"]),
+        "zother": station_code(both, "zother", *lines["zother"]),
+    }
+    ends, whole = (run(both, programs, RunOptions(laws={lost: gone_after(ticks)})) for ticks in (5000.0, 1e9))
+    assert {one.code for one in ends.findings if one.is_error} == {"S701"}
+    assert 5.0 <= ends.duration < 6.0  # what others did until they came so far
+    sound = int(np.flatnonzero(ends.time <= 5.0)[-1]) + 1
+    for name in ("q", "zother/q"):
+        np.testing.assert_array_equal(ends.rows(name)[:sound], whole.rows(name)[:sound])
+
+
+BREAKS = """\
+def law(par, state, ref, meas, load, aux, out):
+    state[0, 0] += 1.0
+    for j in range(out.shape[0]):
+        out[j] = 1000.0 * (ref[0, j] - meas[0, j]) - 3.0 * meas[1, j]
+    if state[0, 0] > par[0, 0]:
+        out[int(state[0, 0])] = 0.0
+"""
+
+
+def test_what_was_until_a_law_fails_is_kept(cell: Cell) -> None:
+    program = code_of(cell, "wait 0.5 s", "mov joints (90, 60, -150, 0, -60, 0)")
+    traits, name = LawTraits(InputKind.VOLTAGE, ("k",)), cell.first.name
+    law = CompiledLaw("breaks", BREAKS, ("ticks",), np.full((1, 6), 733.0), traits)
+    recording = run(cell, {name: program}, RunOptions(laws={name: law}))
+    (found,) = (one for one in recording.findings if one.is_error)
+    assert found.code == "C601"
+    assert 0.733 <= recording.duration <= 0.737
 
 
 @pytest.mark.parametrize("number", [1, 2, 3])

@@ -32,8 +32,9 @@ NOT_TESTED = define(
     "a station, axis or place of `ropsim controller` is not there",
     """
 `--station` names a station of the cell, `--axis` an axis of its robot by number from 1 or by name, `--at` a
-location of the cell that the tool of the station reaches, `--joints` has a number for each axis, `--step` and
-`--ramp` have the unit of the axis. A robot whose model has no drives follows its reference exactly: it has no
+location of the cell that the tool of the station reaches, `--joints` has a number for each axis. Steps stay
+within the range of the joint, ramps below its speed, both in the unit of the axis; sweeps end at half of the
+control rate. A robot whose model has no drives follows its reference exactly: it has no
 loop to test.
 """,
     Category.USAGE,
@@ -63,10 +64,13 @@ def response(options: argparse.Namespace, output: Output) -> int:
     axes = range(robot.n) if options.axis is None else (_axis(robot, options.axis),)
     loop, hz = linear_loop(robot, station.controller, q, load), None
     if options.sweep:
+        half = 0.5 * station.controller.rates.control_hz
+        if options.sweep[1] > half:
+            raise _not_tested(f"sines go up to half of the control rate, {half:g} Hz", "lower the sweep")
         hz = np.geomspace(float(options.sweep[0]), float(options.sweep[1]), _FREQUENCIES)
     tested, findings = list[TestedAxis](), list[Diagnostic]()
     for axis in axes:
-        change = _change(robot, axis, options)
+        change = _change(robot, q, axis, options)
         answer = None
         try:
             excited = ramp_response if options.ramp else step_response
@@ -86,15 +90,24 @@ def response(options: argparse.Namespace, output: Output) -> int:
     return 0 if ok else 1
 
 
-def _change(robot: RobotModel, axis: int, options: argparse.Namespace) -> float:
+def _change(robot: RobotModel, q: Array, axis: int, options: argparse.Namespace) -> float:
     """Return the step or the speed of the reference of an axis, in SI units."""
     joint = robot.axis_joints[axis]
     turns = joint.measure is JointType.REVOLUTE
     value, unit = options.ramp or options.step or (SMALL[joint.measure], "")
+    if options.ramp is None and options.step is None and q[axis] > 0.5 * (joint.lower + joint.upper):
+        value = -value  # away from the nearer limit
     if unit and unit != ("deg" if turns else "mm"):
         moves = "turns, its unit is deg" if turns else "slides, its unit is mm"
-        raise _not_tested(f"`{unit}` for joint `{joint.name}`, which {moves}", "name one axis by `--axis`")
-    return math.radians(value) if turns else 1e-3 * value
+        raise _not_tested(f"`{unit}` for joint `{joint.name}`, which {moves}", "give the unit of this axis")
+    change = math.radians(value) if turns else 1e-3 * value
+    if options.ramp is not None and abs(change) > joint.max_speed:
+        raise _not_tested(
+            f"joint `{joint.name}` is not as quick as this ramp", "`ropsim robot show` has limits"
+        )
+    if options.ramp is None and not joint.lower <= q[axis] + change <= joint.upper:
+        raise _not_tested(f"this step takes joint `{joint.name}` beyond its range", "give a smaller step")
+    return change
 
 
 def _load(station: Station) -> Payload:
@@ -131,8 +144,14 @@ def _rest(cell: Cell, station: Station, options: argparse.Namespace) -> tuple[Ar
         given = joint_coordinates(robot, options.joints)
         check_coordinates(given)
         units = [math.radians(1.0) if one.kind is JointType.REVOLUTE else 1e-3 for one in given]
-        q = [one.value * unit for one, unit in zip(given, units, strict=True)]
-        return np.array(q), "given joint coordinates"
+        q = np.array([one.value * unit for one, unit in zip(given, units, strict=True)])
+        beyond = np.flatnonzero((q < robot.lower_limits) | (q > robot.upper_limits))
+        if len(beyond):
+            name = robot.axis_joints[int(beyond[0])].name
+            raise _not_tested(
+                f"--joints has joint `{name}` beyond its range", "`ropsim robot show` has limits"
+            )
+        return q, "given joint coordinates"
     if options.at is None:
         return station.q_start, "start of the cell"
     if options.at not in cell.locations:

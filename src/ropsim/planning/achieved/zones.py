@@ -41,10 +41,18 @@ def clipped(move: MoveInstruction, blend: Blend) -> tuple[Diagnostic, ...]:
         move.origin.span,
         f"the zone of {wanted * 1e3:g} mm is reduced to {shown}",
         label=passes(move.origin),
-        hint=f"give `blend {zone * 1e3:.3g} mm`, or put the points further apart",
+        hint=_clipped_hint(move, zone),
         data={"zone_m": wanted, "flown_m": zone, **move.origin.data},
     )
     return (finding,)
+
+
+def _clipped_hint(move: MoveInstruction, zone: float) -> str:
+    """Return what helps: one zone is in force for all points of a list, which may need more elsewhere."""
+    if move.origin.point:
+        return "put the points further apart, or leave some of them out; at the other points the zone stays"
+    shown = math.floor(zone * 1e6) * 1e-3  # a zone of this size is flown whole
+    return f"give `blend {shown:.6g} mm`, or put the points further apart"
 
 
 def stopped(move: MoveInstruction, why: Stop) -> tuple[Diagnostic, ...]:

@@ -178,7 +178,5 @@ line.
 **How to mend it.** The hint says what helps. It names `path_acceleration` or `path_jerk` only where the line
 was planned again with more of it and became quicker, within the limits of the joints. A curve through very
 many points bends anew at each of them; fewer points, or a chain of lines with a zone, are often quicker.
-Where the speed does not matter, program the one that is reached: the line takes no longer then, and often
-less.
 """,
 )

@@ -22,7 +22,7 @@ _HINTS = {
     SpeedCause.TURN_SPEED: "turn the tool over a longer way, or with more `orientation_speed`",
     SpeedCause.TURN_ACCELERATION: "turn the tool over a longer way, or with more `orientation_acceleration`",
     SpeedCause.ZONE: "a larger zone, or a corner that is less sharp",
-    SpeedCause.BEND: "a wider bend; a lower speed costs nothing here",
+    SpeedCause.BEND: "a wider bend",
     SpeedCause.JOINT: "another posture or place may need less of the joint; a lower speed may be as quick",
     SpeedCause.EXTERNAL: "let the external axes go less far on this way, or move them before",
     SpeedCause.LOOK_AHEAD: "give the controller a larger `look_ahead`, if the real one has it",

@@ -53,6 +53,7 @@ class CellRun:
         placements: where each body hung at the start, and every change since.
         tracks: signals by the name of their channel, over ticks of the cell's clock.
         stop_tick: tick of the cell's clock from which on the run is ended by hand; None for its own end.
+        lost_tick: tick of the cell's clock at which the state of an arm was lost; None while it is not.
         overrides: changes of the speed override in order of time: tick of the cell's clock, value of 0 to 1.
         override_read: the last tick for which the override was requested.
         inputs: changes of inputs that are not from the cell.
@@ -81,6 +82,7 @@ class CellRun:
     placements: list[Placement] = field(default_factory=list)
     tracks: dict[str, Track] = field(default_factory=dict)
     stop_tick: int | None = None
+    lost_tick: int | None = None
     overrides: list[tuple[int, float]] = field(default_factory=list)
     override_read: int = -1
     inputs: list[InputChange] = field(default_factory=list)

@@ -12,7 +12,6 @@ from ropsim.planning import Sample
 from ropsim.simulation.records.plant import constant
 from ropsim.simulation.records.tally import Tally
 from ropsim.simulation.servo.checks import check_signals
-from ropsim.simulation.servo.diagnostics import DivergedError
 from ropsim.simulation.servo.kept_drives import driven_anew
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.servo import Servo
@@ -99,14 +98,21 @@ class ServoPlant:
             return
         try:
             self._state = self._driven(reference, payload)
-        except DivergedError as error:
-            self._is_lost = True
-            if sound := int(str(error.diagnostic.data["tick"])) - 1 - self._state.tick:
-                self._state = self._driven(reference.part(0, sound), payload)
-            raise
         except RopsimError:
             self._is_lost = True
+            self._go_as_far_as_possible(reference, payload)
             raise
+
+    def _go_as_far_as_possible(self, reference: JointReference, payload: Payload) -> None:
+        """Advance to the end of the last tick at which nothing is wrong, by halves."""
+        sound, wrong = 0, reference.ticks
+        while wrong - sound > 1:
+            middle = (sound + wrong) // 2
+            try:
+                self._state = self._driven(reference.part(sound, middle), payload)
+                sound = middle
+            except RopsimError:
+                wrong = middle
 
     def _driven(self, reference: JointReference, payload: Payload) -> ServoState:
         aux = self._signals(reference.ticks)

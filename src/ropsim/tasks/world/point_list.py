@@ -255,8 +255,10 @@ class _Reader:
         """
         found: dict[str, float] = {}
         wanted = [one for one in _QUANTITIES if one in heads]
-        has_units = not all(one in titled for one in wanted) or all(
-            _cell(cells, heads[one]).lower() in ("", *SCALES, *DEGREES) for one in wanted
+        given = [_cell(cells, heads[one]).lower() for one in wanted]
+        named = "name" in heads and _cell(cells, heads["name"])
+        has_units = not all(one in titled for one in wanted) or (
+            any(given) and not named and all(one in ("", *SCALES, *DEGREES) for one in given)
         )
         for word in wanted:
             index = heads[word]

@@ -74,6 +74,14 @@ def test_the_arm_rests_where_it_is_asked_to(cell: Path, capsys: pytest.CaptureFi
         ("puma560", ["--station", "left"], "the cell has no station `left`"),
         ("puma560", ["--at", "plaec"], "the cell has no location `plaec`"),
         ("puma560", ["--joints", "1", "2"], "--joints has 2 numbers, the robot has 6 axes"),
+        ("puma560", ["--axis", "1", "--step", "400deg"], "this step takes joint `1` beyond its range"),
+        ("puma560", ["--axis", "1", "--ramp", "900deg/s"], "joint `1` is not as quick as this ramp"),
+        ("puma560", ["--sweep", "1..501Hz"], "sines go up to half of the control rate, 500 Hz"),
+        (
+            "puma560",
+            ["--joints", *["0", "999", "0", "0", "0", "0"]],
+            "--joints has joint `2` beyond its range",
+        ),
         ("scara", ["--step", "2mm"], "`mm` for joint `1`, which turns, its unit is deg"),
     ],
 )
