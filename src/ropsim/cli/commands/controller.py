@@ -102,9 +102,7 @@ def _change(robot: RobotModel, q: Array, axis: int, options: argparse.Namespace)
         raise _not_tested(f"`{unit}` for joint `{joint.name}`, which {moves}", "give the unit of this axis")
     change = math.radians(value) if turns else 1e-3 * value
     if options.ramp is not None and abs(change) > joint.max_speed:
-        raise _not_tested(
-            f"joint `{joint.name}` is not as quick as this ramp", "`ropsim robot show` has limits"
-        )
+        raise _not_tested(f"joint `{joint.name}` is not as quick as this ramp", "give a slower ramp")
     if options.ramp is None and not joint.lower <= q[axis] + change <= joint.upper:
         raise _not_tested(f"this step takes joint `{joint.name}` beyond its range", "give a smaller step")
     return change
@@ -148,9 +146,7 @@ def _rest(cell: Cell, station: Station, options: argparse.Namespace) -> tuple[Ar
         beyond = np.flatnonzero((q < robot.lower_limits) | (q > robot.upper_limits))
         if len(beyond):
             name = robot.axis_joints[int(beyond[0])].name
-            raise _not_tested(
-                f"--joints has joint `{name}` beyond its range", "`ropsim robot show` has limits"
-            )
+            raise _not_tested(f"--joints has joint `{name}` beyond its range", "see `ropsim robot show`")
         return q, "given joint coordinates"
     if options.at is None:
         return station.q_start, "start of the cell"

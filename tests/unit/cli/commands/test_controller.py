@@ -79,7 +79,7 @@ def test_the_arm_rests_where_it_is_asked_to(cell: Path, capsys: pytest.CaptureFi
         ("puma560", ["--sweep", "1..501Hz"], "sines go up to half of the control rate, 500 Hz"),
         (
             "puma560",
-            ["--joints", *["0", "999", "0", "0", "0", "0"]],
+            ["--joints", "0", "999", *"0000"],
             "--joints has joint `2` beyond its range",
         ),
         ("scara", ["--step", "2mm"], "`mm` for joint `1`, which turns, its unit is deg"),
