@@ -40,7 +40,7 @@ class SequenceTimes:
 
 @frozen_dataclass
 class TraceTime:
-    """What the time of a trace went into.
+    """How the time of a trace is divided.
 
     Attributes:
         whole: from its first sample to its last one [s].
@@ -74,7 +74,7 @@ class Calibration:
         findings: of the calibration.
         left_out: sequences that were not compared, each with its reason; how long it lasted is NaN where the
             trace does not have it.
-        trace_time: what the whole time of the trace went into.
+        trace_time: division of the whole time of the trace.
     """
 
     station: str

@@ -1,4 +1,4 @@
-"""What a motion takes of limits, and whether a trace shows the change of one."""
+"""Shares of limits that a motion takes, and whether a trace shows the change of one."""
 
 import numpy as np
 
@@ -18,7 +18,7 @@ _NOISE, _LEAST = 3.0, 2e-5
 _PARTS = (slice(0, 3), slice(3, 6))
 """Rows of the Jacobian for the TCP and for the orientation."""
 _OWN_SPEED = 1e-6
-"""Share by which the speed of a move differs from that of the controller if the program gives it."""
+"""Share by which the speed of a move differs from that of the controller if the program sets it."""
 
 
 def is_felt(logged: LoggedSequence, motion: MotionPlan, higher: MotionPlan) -> bool:

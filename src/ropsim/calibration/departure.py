@@ -23,8 +23,8 @@ def lateness(time: Array, way: Array, other: Array, noise: float) -> float | Non
 
     Args:
         time: of the samples, rising [s], shape (k,).
-        way: joint coordinates less those of the stop [rad | m], shape (k, n).
-        other: those of the other motion at the same times [rad | m], shape (k, n).
+        way: distances of joint coordinates from the stop [rad | m], shape (k, n).
+        other: distances of the other motion at the same times [rad | m], shape (k, n).
         noise: step of the encoders, or their noise [rad | m].
     """
     ways = [np.abs(one).max(axis=1) for one in (way, other)]

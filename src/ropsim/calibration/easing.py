@@ -1,4 +1,4 @@
-"""Limits that the sequences need not have: they go back to what is known."""
+"""Limits that the sequences need not have return to the known ones."""
 
 import numpy as np
 import numpy.typing as npt

@@ -1,4 +1,4 @@
-"""Limits that simple motion sequences tell, each alone first."""
+"""Limits from simple motion sequences, each alone first."""
 
 import math
 from collections.abc import Sequence
@@ -32,7 +32,7 @@ _STANDS = 1e-3
 def least_limits(
     replan: Replan, robot: RobotModel, logged: Sequence[LoggedSequence], known: MotionSettings
 ) -> MotionSettings:
-    """Return the least limits that allow simple sequences as they are in the trace.
+    """Return the least limits that allow simple sequences as in the trace.
 
     What a joint or the tool does in any of them its limit allows, and under the largest of that over all
     sequences none of them can be quicker than it was: each goes as in the trace. Limits of what stands are
@@ -51,7 +51,7 @@ def least_limits(
 
 
 def _least(asked: Sequence[Array], known: Array) -> Array:
-    """Return the largest of what was asked, and what is known where next to nothing was."""
+    """Return the largest demands, and the known limits where there are next to none."""
     least = np.max([np.zeros_like(known), *asked], axis=0)
     return np.where(least > _STANDS * known, least, known)
 

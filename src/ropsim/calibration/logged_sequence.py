@@ -115,8 +115,8 @@ def _weights(time: Array, q: Array, rests: Rests) -> Array:
     speeds = (q[behind] - q[before]) / (time[behind] - time[before])[:, None]
     squares = (speeds * speeds).sum(axis=1)
     steps = np.maximum(rests.noise, 1e-9)
-    lates = ((rests.time_noise * speeds / steps) ** 2).sum(axis=1)
-    weights = 1.0 / np.sqrt(1.0 + lates)
+    lateness = ((rests.time_noise * speeds / steps) ** 2).sum(axis=1)
+    weights = 1.0 / np.sqrt(1.0 + lateness)
     weighed = float((weights * weights * squares).sum())
     found: Array = weights * math.sqrt(float(squares.sum()) / weighed) if weighed > 0.0 else weights
     return found

@@ -49,7 +49,7 @@ def choices(
 ) -> tuple[LookAhead, ...]:
     """Return the look-aheads in moves that may differ: none beyond the longest sequence does.
 
-    The known one is among them where it counts a length of path, too.
+    The known one is among them where it counts a length of path.
     """
     longest = max((len(orders[number].moves) for number in numbers), default=1)
     found = [LookAhead(moves, 0.0) for moves in range(min(longest, MOST + 1))]

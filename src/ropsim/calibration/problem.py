@@ -29,7 +29,7 @@ from ropsim.planning import MotionSequence
 _MOST_FITTED = 12
 """Sequences of which limits are fitted at first; the times of all are compared."""
 _MOST_EASED = 40
-"""Sequences that must stay as they are when limits go back to known ones."""
+"""Sequences that must stay unchanged when limits go back to known ones."""
 _MORE, _GATHERINGS = 4, 2
 """Sequences that fit worst and are then added, and how often."""
 _WORTH_ADDING = 5e-4
@@ -40,12 +40,12 @@ _FEW_STEPS, _SOME_STEPS = 4, 8
 _FEWEST = 3
 """Sequences on which look-aheads are tried together with limits."""
 _MISFIT = 1.5e-3
-"""Share of the way beside noise, root of the mean square, from which on other beginnings are tried.
+"""Share of the way without noise, root of the mean square, from which on other beginnings are tried.
 
 Planning is not smooth: a limit that changes by some thousandths may change a motion that joints slow down
 by a thousandth of its way."""
 _LATE = 1e-2
-"""Share of its time by which a sequence is wrong, root of the mean square, from which on they are tried too:
+"""Share of its time by which a sequence is wrong, root of the mean square, from which on they are tried:
 ends of motions are a small way and a long time."""
 _RISE = 1.4
 """Factor of all limits in one of them."""
@@ -105,13 +105,13 @@ class Problem:
     def limits(self, logged: Sequence[LoggedSequence], settings: MotionSettings) -> MotionSettings:
         """Return limits that fit some sequences together, beginning with the given ones.
 
-        Those that fit worst are added to the chosen ones, so that each sequence counts that tells something.
+        The worst fits are added to the chosen sequences, so that no sequence with information is left out.
         """
         used = self.chosen(logged)
         return self._gathered(logged, used, self._started(used, settings))
 
     def limits_near(self, logged: Sequence[LoggedSequence], settings: MotionSettings) -> MotionSettings:
-        """Return limits that fit some sequences together; the given ones are those of a fit already."""
+        """Return limits that fit some sequences together; the given ones result from a fit."""
         used = self.chosen(logged)
         begin = refined(self.replan, used, settings, np.arange(len(settings.all)))
         return self._gathered(logged, used, begin)
@@ -119,7 +119,7 @@ class Problem:
     def _gathered(
         self, logged: Sequence[LoggedSequence], used: list[LoggedSequence], best: Trial
     ) -> MotionSettings:
-        """Return a fit to chosen sequences and those that fit worst; known limits stay where they fit too."""
+        """Return a fit to chosen sequences and the worst others; known limits stay where they fit."""
         every = np.arange(len(best.settings.all))
         known = with_look_ahead(self.known, best.settings.look_ahead)
         for _ in range(_GATHERINGS):
@@ -157,9 +157,9 @@ class Problem:
         return best
 
     def _begins(self, used: Sequence[LoggedSequence], settings: MotionSettings) -> list[MotionSettings]:
-        """Return given limits, and those that simple sequences tell, as few as these need.
+        """Return given limits, and limits from simple sequences, as few as these need.
 
-        They are sequences of PTP moves, and these with those of a single move on a path of the tool.
+        They are sequences of PTP moves, and these with sequences of a single move on a path of the tool.
         """
         of_joints = [one for one in used if self._groups(one) == (0,)]
         simple = [one for one in used if one in of_joints or len(self.orders[one.number].moves) == 1]

@@ -21,7 +21,7 @@ _MOST_DAMPING = 10.0
 _LARGEST_STEP = 0.4
 """Change of the logarithm of a limit in one step at most."""
 _ENOUGH = 0.03
-"""Improvement of the squared error, as a share of what of it is not noise, below which the steps end."""
+"""Improvement of the squared error, as a share of its part without noise, below which the steps end."""
 _SWEEPS, _STILL = 200, 1e-6
 """Sweeps over all coordinates at most, and the change of the logarithm of a limit that is none."""
 _LEAPS = (0.4, 0.12, 0.04)
@@ -62,7 +62,7 @@ class Trial:
 
     @property
     def excess(self) -> float:
-        """Return what of the error is more than noise that differs from sample to sample."""
+        """Return the part of the error beyond noise that differs from sample to sample."""
         return self.error - sum((fit.noise / way_of(fit.logged)) ** 2 if fit else 0.0 for fit in self.fits)
 
     @property

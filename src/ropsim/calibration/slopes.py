@@ -113,7 +113,7 @@ class LimitSlopes:
         return coordinates(motion, fit.logged.time - fit.start)
 
     def _shares(self, fit: SequenceFit, q: Array) -> Array:
-        """Return how far positions are from those of the motion, its start aside, as shares of its way."""
+        """Return how far positions are from the motion, its start aside, as shares of its way."""
         times = fit.logged.time - fit.start
         weights = fit.logged.weights[:, None]
         apart = (weights * (q - coordinates(fit.motion, times))).ravel()

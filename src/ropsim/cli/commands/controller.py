@@ -1,4 +1,4 @@
-"""`ropsim controller response`: what the loops of a cell do, and what they bear."""
+"""`ropsim controller response`: responses and stability margins of the loops of a cell."""
 
 import argparse
 import math

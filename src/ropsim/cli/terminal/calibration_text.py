@@ -107,7 +107,7 @@ def _totals(calibration: Calibration, axes: Sequence[JointType]) -> list[str]:
 
 
 def _trace_line(time: TraceTime) -> str:
-    """Return what the time of the trace went into: what is not compared has its share."""
+    """Return the division of the time of the trace, with the share that is not compared."""
     parts = (
         ("motions compared", time.compared),
         ("at rest", time.at_rest),

@@ -41,14 +41,14 @@ class Rest:
 
 @record
 class TestedAxis:
-    """An axis, and what its loop does.
+    """An axis and the behaviour of its loop.
 
     Attributes:
         axis: its number, from 0.
         response: in time; None where the state diverged.
         margins: of its loop.
         bandwidth: of its loop [Hz]; NaN for none.
-        sweep: response to the sines asked for; None for none.
+        sweep: response to the requested sines; None for none.
     """
 
     axis: int
