@@ -25,6 +25,13 @@ function errors(text: string): number {
 }
 
 describe('grammar of task texts', () => {
+  it('takes a unit behind a number only as a whole word', () => {
+    expect(nodes('lin p blend 2 speed 200 mm/s', 'Number')).toEqual(['Number 2', 'Number 200 mm/s'])
+    expect(nodes('wait 2 s', 'Number')).toEqual(['Number 2 s'])
+    expect(nodes('mov p above 50 min_gap', 'Number')).toEqual(['Number 50'])
+    expect(nodes('set speed 80 %', 'Number')).toEqual(['Number 80 %'])
+  })
+
   it('reads a modern text without errors', () => {
     const text = [
       'program palletizing',

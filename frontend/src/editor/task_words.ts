@@ -4,6 +4,7 @@ import {
   CallWord,
   End,
   Function as FunctionWord,
+  Number as NumberWord,
   StatementWord,
   Task,
   Word,
@@ -46,4 +47,25 @@ export const endToken = new ExternalTokenizer((input: InputStream) => {
     if (at === 2 && line.toLowerCase() !== 'end') return
   }
   if (/^end[ \t\r]*\.?[ \t\r]*(?:$|#|\/\/)/i.test(line)) input.acceptToken(End, 3)
+})
+
+const NUMBER =
+  /^\d+(?:\.\d+)?(?:[eE][+-]?\d+)?(?:[ \t]*(?:(?:(?:mm|cm|m|deg|rad)(?:\/s2?)?|inch|ms|min|s|kg|g|Nm|N|V|mA)(?![A-Za-z0-9_])|%))?/
+const LONGEST_NUMBER = 80
+
+function isDigit(code: number): boolean {
+  return code >= 48 && code <= 57
+}
+
+/** Takes a number with its unit, if one follows. */
+export const numberToken = new ExternalTokenizer((input: InputStream) => {
+  if (!isDigit(input.next)) return
+  let text = ''
+  for (let at = 0; at < LONGEST_NUMBER; at += 1) {
+    const code = input.peek(at)
+    if (code < 0 || code === LINE_FEED) break
+    text += String.fromCharCode(code)
+  }
+  const found = NUMBER.exec(text)
+  if (found) input.acceptToken(NumberWord, found[0].length)
 })
