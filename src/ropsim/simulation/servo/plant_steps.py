@@ -7,13 +7,19 @@ from math import ceil, inf, isfinite
 import numpy as np
 
 from ropsim.controller import LawTraits
-from ropsim.dynamics import mass_matrices, rotor_inertias, structure_of
+from ropsim.dynamics import (
+    free_inertias,
+    friction_steepness,
+    mass_matrices,
+    rotor_inertias,
+    structure_of,
+)
 from ropsim.kinematics import configurations
 from ropsim.model import Payload, Rates, RobotModel
 from ropsim.simulation.servo.held_state import SMALL, held_state, without_dead_zones
 from ropsim.simulation.servo.plant_code import plant_sides
 from ropsim.simulation.servo.state import StateLayout
-from ropsim.spatial import Array
+from ropsim.spatial import Array, frozen, record
 
 LONGEST = 0.5e-3
 """Longest integration step where none is stated [s]."""
@@ -23,8 +29,14 @@ LARGEST_PRODUCT = 2.0
 bear 2.785 on the real axis. E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 2nd ed.,
 Springer 1996, section IV.2."""
 
+STEEPEST_PRODUCT = 2.5
+"""The same of the friction of an axis at its largest effort, which is steeper than about a rest."""
+
 MOST = 100
 """Most steps in a control tick where none are stated."""
+
+_FRICTION_SAMPLES = 64
+"""Configurations in which the least inertia of each axis is looked for."""
 
 _SAMPLES = 8
 """Configurations besides the home position at which poles are computed."""
@@ -42,8 +54,47 @@ def plant_steps_of(robot: RobotModel, rates: Rates) -> int:
     fewest = ceil(rates.control_period / LONGEST - 1e-9)
     if not robot.drives:
         return fewest
-    needed = rates.control_period * fastest_pole(robot) / LARGEST_PRODUCT
+    of_friction = float(friction_rates(robot).rates.max())
+    needed = rates.control_period * max(fastest_pole(robot) / LARGEST_PRODUCT, of_friction / STEEPEST_PRODUCT)
     return fewest if not needed > fewest else min(ceil(needed), max(MOST, fewest))
+
+
+@record
+class FrictionRates:
+    """How quickly friction brakes the axes, each with the least that it moves while the others are free.
+
+    Attributes:
+        slopes: of friction over speed at rest, with the largest effort [N·m·s/rad | N·s/m], shape (n,).
+        springs: stiffness of bristles [N·m/rad | N/m], 0 without, shape (n,).
+        inertias: shape (n,) [kg·m² | kg].
+    """
+
+    slopes: Array
+    springs: Array
+    inertias: Array
+
+    @property
+    def swings(self) -> Array:
+        """Return how fast the axes swing on bristles [rad/s], shape (n,)."""
+        return np.asarray(np.sqrt(self.springs / self.inertias))
+
+    @property
+    def rates(self) -> Array:
+        """Return d/J, or the swing on bristles where that is faster [1/s], shape (n,)."""
+        return np.asarray(np.maximum(self.slopes / self.inertias, self.swings))
+
+
+@lru_cache(maxsize=64)
+def friction_rates(robot: RobotModel) -> FrictionRates:
+    """Return how quickly friction brakes the axes of an arm with drives.
+
+    Raises:
+        MissingMassError: M590 or M591, the arm, or what an axis moves, has no inertia.
+    """
+    inertias = free_inertias(robot, configurations(robot, _FRICTION_SAMPLES)).min(axis=0)
+    pairs = zip(robot.drives, robot.home.tolist(), strict=True)
+    slopes, springs = np.array([friction_steepness(drive, q) for drive, q in pairs]).T
+    return FrictionRates(frozen(slopes), frozen(springs), frozen(inertias))
 
 
 @lru_cache(maxsize=64)

@@ -8,19 +8,15 @@ from collections.abc import Iterator
 import numpy as np
 
 from ropsim.core import Diagnostic, frozen_dataclass
-from ropsim.dynamics import free_inertias, friction_steepness, reflected_inertia
+from ropsim.dynamics import reflected_inertia
 from ropsim.flow import Fidelity
-from ropsim.kinematics import configurations
 from ropsim.model import ROBOT, Cell, JointType, Rates, RobotModel
 from ropsim.simulation.servo.diagnostics import STEEP_FRICTION
-from ropsim.simulation.servo.plant_steps import plant_steps_of
-from ropsim.spatial import Array
+from ropsim.simulation.servo.plant_steps import friction_rates, plant_steps_of
 
 STABLE = 2.7
 """Greatest product of integration step and decay rate; fixed Runge-Kutta steps of fourth order bear 2.785.
 E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 2nd ed., Springer 1996, section IV.2."""
-SAMPLES = 64
-"""Configurations in which the least inertia of each axis is looked for."""
 
 
 @frozen_dataclass
@@ -53,19 +49,16 @@ def steep_axes(robot: RobotModel, rates: Rates) -> tuple[SteepAxis, ...]:
         MissingMassError: M590 or M591, the arm, or what an axis moves, has no inertia.
     """
     step = rates.control_period / plant_steps_of(robot, rates)
-    inertias = free_inertias(robot, configurations(robot, SAMPLES)).min(axis=0)
-    pairs = zip(robot.drives, robot.home.tolist(), strict=True)
-    slopes, springs = np.array([friction_steepness(drive, q) for drive, q in pairs]).T
-    swings: Array = np.sqrt(springs / inertias) * step
-    products: Array = np.maximum(slopes / inertias * step, swings)
+    found = friction_rates(robot)
+    products, swings = found.rates * step, found.swings * step
     order = np.argsort(-products, kind="stable")
     return tuple(
         SteepAxis(
             int(k),
-            float(slopes[k]),
-            float(inertias[k]),
+            float(found.slopes[k]),
+            float(found.inertias[k]),
             float(products[k]),
-            float(springs[k]) if swings[k] == products[k] else 0.0,
+            float(found.springs[k]) if swings[k] == products[k] else 0.0,
         )
         for k in order
         if not products[k] < STABLE

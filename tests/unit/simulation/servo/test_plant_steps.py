@@ -19,6 +19,7 @@ from ropsim.model import (
     Gear,
     IdealMotor,
     Link,
+    LoadFriction,
     Payload,
     Rates,
     RobotModel,
@@ -27,6 +28,7 @@ from ropsim.simulation import DivergedError, Servo
 from ropsim.simulation.servo.plant_code import plant_code
 from ropsim.simulation.servo.plant_steps import LARGEST_PRODUCT, MOST, fastest_pole, plant_steps_of
 from ropsim.simulation.servo.state import StateLayout
+from ropsim.simulation.servo.stiffness import steep_axes
 from ropsim.spatial import Array
 from support.servo_cases import GOAL, START, quintic
 
@@ -118,3 +120,13 @@ def test_a_gear_with_play_has_the_pole_of_its_flanks() -> None:
         fastest_pole(one_axis(Drive(EffortAmplifier(), IdealMotor(motor), gear), link)) for gear in gears
     ]
     assert poles[0] == poles[1] > 4000.0
+
+
+def test_friction_under_the_largest_load_is_stable_by_itself() -> None:
+    """About a rest it is that of the held load; `S705` judges the largest effort."""
+    arm = robots.load("irb120")
+    drives = [
+        replace(one, friction=LoadFriction(one.friction.viscous, one.friction.coulomb_positive, 0.15))
+        for one in arm.drives
+    ]
+    assert steep_axes(replace(arm, drives=tuple(drives)), Rates()) == ()
