@@ -130,6 +130,7 @@ def test_a_wrong_line_is_told_at_its_cell(line: str, column: int, length: int, s
         ),
         ("x,y,z\n,,\n1,2,3\n", 3, "the line below the titles gives no unit of `x`"),
         ("x [mm],y [feet],z [mm]\n1,2,3\n", 2, "`feet` is no unit of `y`"),
+        ("x [mm],y,z [mm]\n1,2,3\n", 2, "`y` has no unit, others have one in their titles"),
         ("x [mm],y [mm],z [mm]\nmm,m,mm\n1,2,3\n", 2, "`y` is in `m` here and in `mm` by its title"),
         ("x,y,z\n", 2, "the line below the titles gives no unit of `x`"),
         ("x,y,z\nmm,mm,feet\n1,2,3\n", 2, "`feet` is no unit of `z`, allowed are mm, cm, m, inch"),
@@ -231,3 +232,9 @@ def test_a_list_that_is_too_large_says_so_in_megabytes(tmp_path: Path) -> None:
     (one,) = findings
     assert one.message.endswith("l.csv` has 21 MB, allowed are 20 MB")
     assert one.hint == "cut it into several lists"
+
+
+def test_a_point_without_numbers_is_no_line_of_units() -> None:
+    found = wrong("name,x [mm],y [mm],z [mm]\nstart,,,\np,1,2,3\n")
+    assert {one.span.line for one in found if one.span} == {2}
+    assert all(one.is_error for one in found)

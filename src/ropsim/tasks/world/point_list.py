@@ -260,6 +260,11 @@ class _Reader:
         has_units = not all(one in titled for one in wanted) or (
             any(given) and not named and all(one in ("", *SCALES, *DEGREES) for one in given)
         )
+        without = next((one for one in wanted if one not in titled), "")
+        if titled and without and all(_is_number(one, self.separator) for one in given if one):
+            kind = "mm" if without in ("x", "y", "z") else "deg"
+            message = f"`{without}` has no unit, others have one in their titles"
+            raise CellError(heads[without], message, f"write `{without} [{kind}]` as its title")
         for word in wanted:
             index = heads[word]
             unit = (_cell(cells, index) if has_units else "").lower() or titled.get(word, "")
