@@ -105,6 +105,7 @@ def _dc(table: TomlTable, transmission: Transmission, friction: FrictionLaw) -> 
         table.number("rotor_inertia", _FROM_ZERO, 0.0),
     )
     most = [table.number(key, _POSITIVE, 1.0) for key in ("max_voltage", "max_current")]
+    _check_apart(table)
     if "current_bandwidth" in table:
         return Drive(*_in_loop(table, motor, most), transmission, friction)
     if table.values.keys() & {*_HEAT, "max_rise"}:
@@ -113,6 +114,18 @@ def _dc(table: TomlTable, transmission: Transmission, friction: FrictionLaw) -> 
     limited = table.flag("limits_current", default=False)
     make = CurrentLimitedAmplifier if limited else VoltageAmplifier
     return Drive(make(most[0], most[1]), motor, transmission, friction)
+
+
+def _check_apart(table: TomlTable) -> None:
+    """Report keys of two kinds of amplifiers: with a current loop, a limit of it, or a watch on heat."""
+    kinds = (("current_bandwidth",), ("limits_current",), (*_HEAT, "max_rise"))
+    found = [[key for key in one if key in table] for one in kinds]
+    several = [keys[0] for keys in found if keys]
+    for key in several[1:]:
+        message = f"`{table.name_of(several[0])}` and `{key}` belong to two kinds of amplifiers"
+        table.findings.add(CONFLICTING_KEYS, table.key_span(key), message, "keep one of them")
+    if len(several) > 1:
+        table.asked.update(dict.fromkeys(key for keys in found for key in keys))
 
 
 def _warm(table: TomlTable, motor: DcMotor, most: list[float]) -> tuple[GuardedAmplifier, ThermalDcMotor]:

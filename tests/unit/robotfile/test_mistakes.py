@@ -120,3 +120,18 @@ def test_a_reach_that_the_lengths_do_not_give_is_doubted(reach: str, changed: st
     (found,) = found_in(f"reach = {reach}\n{changed}")
     assert (found.code, found.is_error) == ("X907", False)
     assert f"`reach` is {reach} mm" in found.message
+
+
+@pytest.mark.parametrize(
+    "keys", ["current_bandwidth = 900, limits_current = true", "limits_current = true, max_rise = 90"]
+)
+def test_keys_of_two_amplifiers_are_told_to_be_apart(keys: str) -> None:
+    motor = (
+        f"{{ kind = 'dc', ratio = 50, torque_constant = 0.1, resistance = 1, inductance = 1e-3, "
+        f"rotor_inertia = 1e-4, max_voltage = 24, max_current = 5, {keys} }}"
+    )
+    text = TWO_JOINTS.replace("joints", f"mass = 9\ndrives = [{SERVO}, {motor}]\njoints", 1)
+    found = found_in(text)
+    assert "X812" in [one.code for one in found]
+    assert "X802" not in [one.code for one in found]
+    assert any("belong to two kinds of amplifiers" in one.message for one in found)
