@@ -107,7 +107,7 @@ def test_the_path_tells_how_the_tool_turns() -> None:
 
 def test_zones_between_lines_are_flown() -> None:
     (q_start, goal), zone = goals(1)[0], replace(TORCH, zone=0.04)
-    moves = [lin(goal, zone), lin(shifted(goal, 0.1, 0.05, 0.0), zone), lin(goal, TORCH)]
+    moves = [lin(goal, zone), lin(shifted(goal, -0.1, 0.05, 0.0), zone), lin(goal, TORCH)]
     done = planned_stretch(moves[:2], q_start, LEADING)
     assert done.moves[0].zone == pytest.approx(0.04, rel=1e-6)
     q, qd, qdd = references(done)
