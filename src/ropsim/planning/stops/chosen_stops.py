@@ -7,7 +7,7 @@ from ropsim.planning.blends.blend import Blend
 from ropsim.planning.joint_limits.arm_limits import ArmBounds
 from ropsim.planning.joint_limits.retiming import Retiming, retimed
 from ropsim.planning.moves.planned_move import PlannedMove
-from ropsim.planning.stops.quicker_stops import WORTH, Times, can_stop, quicker_stops, without
+from ropsim.planning.stops.quicker_stops import Times, can_stop, quicker_stops, without
 from ropsim.planning.stops.sequence_times import arm_times, times_alone, tool_times
 from ropsim.planning.trajectory.sections import TimingRules, sections_of
 from ropsim.planning.trajectory.segments import JoinedSegments, segments_of
@@ -102,6 +102,6 @@ def by_joints(
     rounded = tuple(number for number, blend in enumerate(blends) if can_stop(blend))
     if rounded and retiming.duration > sum(chosen.alone):
         nowhere = without(blends, rounded)
-        if (stopping := retimed_with(nowhere)).duration < (1.0 - WORTH) * retiming.duration:
+        if (stopping := retimed_with(nowhere)).duration < retiming.duration:
             return ByJoints((*stops, *rounded), nowhere, stopping)
     return ByJoints(stops, blends, retiming)

@@ -10,8 +10,8 @@ from ropsim.spatial import record
 _FURTHEST = 4
 """Maximum number of examined blends that a motion between two stops may pass, in addition to the present
 motion."""
-WORTH = 2e-3
-"""Share of the time from stop to stop that other stops have to save: for less a zone is flown."""
+_WORTH = 1e-6
+"""Share of the time from stop to stop that other stops have to save: rounding saves less."""
 
 _RIGHT_ANGLE = 0.5 * math.pi + 1e-6
 """With some rounding [rad]."""
@@ -98,7 +98,7 @@ def _shortest(nodes: Sequence[int], present: float, times: Times) -> list[int]:
         times: of the moves between two nodes.
     """
     whole = (nodes[0], nodes[-1])
-    known = {whole: present * (1.0 - WORTH)}
+    known = {whole: present * (1.0 - _WORTH)}
     exact = {whole}
     while True:
         path = _least_path(nodes, known, times)
