@@ -73,7 +73,7 @@ def simulate(
     log = recorder.channels()
     log["q_error"] = log["q_ref"] - log["q"]
     hz = servo.control_hz
-    station = with_law(station_facts(ROBOT, robot, controller), controller, options.law)
+    station = with_law(station_facts(ROBOT, robot, controller, servo.plant_steps), controller, options.law)
     facts = RunFacts(__version__, record_hz=hz / recorder.decimation, stations=(station,))
     channels = joint_channels(ROBOT, robot, log)
     return Recording(recorder.ticks / hz, channels, (), (), state.tick / hz, facts)

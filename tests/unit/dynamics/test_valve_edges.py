@@ -11,7 +11,17 @@ from ropsim import robots
 from ropsim.controller import CompiledLaw
 from ropsim.dynamics import drive_fault, mass_matrix, steady_drive
 from ropsim.dynamics.drives import largest_effort
-from ropsim.model import Drive, Friction, Gear, HydraulicMotor, Payload, Rates, RobotModel, ValveAmplifier
+from ropsim.model import (
+    Drive,
+    Friction,
+    Gear,
+    HydraulicMotor,
+    Linkage,
+    Payload,
+    Rates,
+    RobotModel,
+    ValveAmplifier,
+)
 from ropsim.robots.loops.hydraulic_loops import hydraulic_crossover
 from ropsim.simulation import Servo
 from ropsim.spatial import Array
@@ -120,7 +130,8 @@ def test_a_steady_state_of_a_cylinder_stays(overlap: float, speed: float) -> Non
     held = steady_drive(drive, q, speed, effort)
     out = rates_of(drive)(np.array(held.states), q, speed, held.output)
     assert out[0] == pytest.approx(effort)
-    volumes = cylinder.volumes(drive.transmission.out_at(q))  # type: ignore[union-attr]  # a linkage
+    assert isinstance(drive.transmission, Linkage)
+    volumes = cylinder.volumes(drive.transmission.out_at(q))
     share = out[1:3] * volumes / cylinder.bulk_modulus / cylinder.rated_flow
     assert share == pytest.approx([0.0, 0.0], abs=1e-9)
     assert out[3:] == pytest.approx([0.0, 0.0], abs=1e-6)

@@ -9,7 +9,7 @@ from ropsim import icr, robots
 from ropsim.controller import CompiledLaw, LawTraits
 from ropsim.core import Category
 from ropsim.flow import MoveEvent, Recording
-from ropsim.model import Cell, InputKind, Rates, Signal, Tool
+from ropsim.model import Cell, DcMotor, InputKind, Link, Rates, Signal, Tool
 from ropsim.simulation import Fidelity, RunOptions, run
 from ropsim.simulation.testing import SPEED_TIME
 from support.cells import one_station, with_station
@@ -232,3 +232,19 @@ def test_a_joint_that_is_near_but_does_not_rest_is_told_with_its_speed(
     assert (found.code, found.data["joint"]) == ("S720", 1)
     assert "joint `1` still moves at" in found.message
     assert f"in position means not faster than {most:.4g}°/s; the tool is " in found.message
+
+
+def test_a_kinematic_run_needs_no_inertia(cell: Cell) -> None:
+    """Nothing is integrated, so nobody asks for the poles of drives and arm."""
+    robot = cell.first.robot
+    last = robot.drives[-1]
+    assert isinstance(last.motor, DcMotor)
+    motor = replace(last.motor, rotor_inertia=0.0)
+    nothing = Link(0.0, np.zeros(3), np.zeros((3, 3)))
+    drives = (*robot.drives[:-1], replace(last, motor=motor))
+    light = replace(robot, links=(*robot.links[:-1], nothing), drives=drives)
+    bare = with_station(cell, robot=light)
+    options = RunOptions(Fidelity.KINEMATIC)
+    recording = run(bare, {"robot": code_of(bare, "mov joints (60, 60, -150, 0, -60, 0)")}, options)
+    assert not [one for one in recording.findings if one.is_error]
+    assert recording.facts.stations[0].plant_steps == 1

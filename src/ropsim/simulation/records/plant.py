@@ -29,6 +29,11 @@ class Plant(Protocol):
         ...
 
     @property
+    def plant_steps(self) -> int:
+        """Return the integration steps of drives and arm per control tick; 1 where nothing is integrated."""
+        ...
+
+    @property
     def tick(self) -> int:
         """Return the control tick that it has come to."""
         ...

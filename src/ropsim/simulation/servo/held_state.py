@@ -6,13 +6,22 @@ import numpy as np
 
 from ropsim.codegen import Engine
 from ropsim.controller import LawTraits
-from ropsim.dynamics import compiled, steady_drive, structure_of
+from ropsim.dynamics import SteadyDrive, compiled, steady_drive, structure_of
 from ropsim.model import BacklashGear, Drive, ElasticGear, Hydraulic, Payload, RobotModel
 from ropsim.simulation.servo.state import StateLayout
 from ropsim.spatial import Array
 
 SMALL = 1e-6
 """Half of a difference over a number at 0; over its magnitude where that is beyond 1."""
+
+
+def held_drives(robot: RobotModel, q: Array, payload: Payload) -> tuple[SteadyDrive, ...]:
+    """Return the drives of an arm that holds itself and its load at rest; arguments as in `held_state`."""
+    rest, tau = np.zeros(robot.n), np.empty(robot.n)
+    # a single evaluation: plain Python is faster than compiling it
+    compiled(robot, payload, Engine.PYTHON).rigid_inverse(q, rest, rest, np.zeros(6), tau)
+    places = zip(robot.drives, np.asarray(q, np.float64).tolist(), tau.tolist(), strict=True)
+    return tuple(steady_drive(drive, place, 0.0, effort) for drive, place, effort in places)
 
 
 def held_state(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Array]:
@@ -23,14 +32,10 @@ def held_state(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Ar
         q: joint coordinates [rad | m], shape (n,).
         payload: tool and part.
     """
-    n, rest = robot.n, np.zeros(robot.n)
     layout = StateLayout.of(structure_of(robot).drives, LawTraits())
-    x, u, tau = np.zeros(layout.integrated), np.empty(n), np.empty(n)
-    # a single evaluation: plain Python is faster than compiling it
-    compiled(robot, payload, Engine.PYTHON).rigid_inverse(q, rest, rest, np.zeros(6), tau)
-    x[:n] = q
-    for axis, drive in enumerate(robot.drives):
-        held = steady_drive(drive, float(q[axis]), 0.0, float(tau[axis]))
+    x, u = np.zeros(layout.integrated), np.empty(robot.n)
+    x[: robot.n] = q
+    for axis, held in enumerate(held_drives(robot, q, payload)):
         x[list(layout.drive(axis))] = held.states
         u[axis] = held.output
     return x, u

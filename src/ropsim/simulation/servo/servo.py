@@ -12,9 +12,7 @@ from ropsim.dynamics import (
     arm_numbers,
     barycentric,
     check_model,
-    compiled,
     identifier,
-    steady_drive,
     structure_of,
 )
 from ropsim.flow import JointReference
@@ -31,6 +29,7 @@ from ropsim.simulation.servo.checks import (
 )
 from ropsim.simulation.servo.diagnostics import DivergedError
 from ropsim.simulation.servo.divergence import diverged, first_fault, is_sound
+from ropsim.simulation.servo.held_state import held_drives
 from ropsim.simulation.servo.judged import full_values
 from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
@@ -133,17 +132,12 @@ class Servo:
         """
         n = self.robot.n
         start = check_vector("q", q, n)
-        tau = np.empty(n)
-        rest = np.zeros(n)
-        # a single evaluation: plain Python is faster than compiling it
-        compiled(self.robot, payload, Engine.PYTHON).rigid_inverse(start, rest, rest, np.zeros(6), tau)
         layout = self.layout
         values = np.zeros(layout.size)
         values[layout.q] = start
         layout.in_force(values)[0] = start
         memory, pending = layout.memory(values), layout.waiting(values)
-        for k, drive in enumerate(self.robot.drives):
-            held = steady_drive(drive, float(start[k]), 0.0, float(tau[k]))
+        for k, held in enumerate(held_drives(self.robot, start, payload)):
             values[list(layout.drive(k))] = held.states
             values[layout.output.start + k] = held.output
             pending[:, k] = held.command

@@ -51,6 +51,11 @@ class KinematicPlant:
         return np.zeros(len(self._q))
 
     @property
+    def plant_steps(self) -> int:
+        """Return the integration steps of drives and arm per control tick; 1 where nothing is integrated."""
+        return 1
+
+    @property
     def tick(self) -> int:
         """Return the control tick that it has come to."""
         return self._tick

@@ -82,6 +82,11 @@ class ServoPlant:
         return self._recorder.tally
 
     @property
+    def plant_steps(self) -> int:
+        """Return the integration steps of drives and arm per control tick; 1 where nothing is integrated."""
+        return self._servo.plant_steps
+
+    @property
     def tick(self) -> int:
         """Return the control tick that it has come to."""
         return self._state.tick

@@ -7,19 +7,27 @@ import numpy as np
 from ropsim.controller import CompiledLaw, PythonLaw
 from ropsim.flow import AxisFacts, AxisType, StationFacts
 from ropsim.model import ControllerModel, JointType, RobotModel
-from ropsim.simulation.servo.plant_steps import plant_steps_of
 
 _TYPES = {JointType.REVOLUTE: AxisType.REVOLUTE, JointType.PRISMATIC: AxisType.PRISMATIC}
 
 
-def station_facts(name: str, robot: RobotModel, controller: ControllerModel) -> StationFacts:
-    """Return the facts of a station before it runs a program."""
+def station_facts(
+    name: str, robot: RobotModel, controller: ControllerModel, plant_steps: int
+) -> StationFacts:
+    """Return the facts of a station before it runs a program.
+
+    Args:
+        name: of the station.
+        robot: its arm.
+        controller: its controller.
+        plant_steps: integration steps per control tick, 1 where nothing is integrated.
+    """
     rates = controller.rates
     return StationFacts(
         name,
         control_hz=float(rates.control_hz),
         interpolation_ticks=rates.interpolation_ticks,
-        plant_steps=plant_steps_of(robot, rates),
+        plant_steps=plant_steps,
         robot=robot.name,
         title=robot.title,
         axes=_axes(robot),
