@@ -66,8 +66,8 @@ def completions(
 ) -> Json:
     """Return the completions at a place, the likeliest first.
 
-    The list is complete, except if it is empty: in a number or unit, or if the text at the place already is
-    the only completion. The next character may then change it.
+    The list is complete, except if it is empty: behind a space, in a number or unit, or if the text at the
+    place already is the only completion. The next character may then change it.
     """
     trigger = params.context.trigger_character if params.context is not None else None
     line, column = document.line(params.position.line), document.column(params.position)
@@ -75,8 +75,8 @@ def completions(
     if in_number(line[:column], numbers):
         return {"isIncomplete": True, "items": []}
     items = proposed(document, params.position, documents, workshop, trigger or "")
-    is_new = continues(line[:column], line[column:], items)
-    return {"isIncomplete": bool(items) and not is_new, "items": items if is_new else []}
+    offered = items if continues(line[:column], line[column:], items) else []
+    return {"isIncomplete": not offered, "items": offered}
 
 
 def proposed(

@@ -280,6 +280,14 @@ def test_what_stands_there_already_is_no_list(line: str) -> None:
     assert answer == {"isIncomplete": True, "items": []}
 
 
+@pytest.mark.parametrize("line", ["lin along |", "mov |", "wait |"])
+def test_the_empty_answer_to_a_space_does_not_hold_for_the_word_behind_it(line: str) -> None:
+    """It may come when the first letter of the word is typed already: an editor then has to ask again."""
+    trigger = {"triggerKind": 2, "triggerCharacter": " "}
+    answer = Editor().at_mark("completion", BARE, HEAD + line, context=trigger)
+    assert answer == {"isIncomplete": True, "items": []}
+
+
 @pytest.mark.parametrize(
     ("line", "new"),
     [
