@@ -8,6 +8,7 @@ from ropsim.simulation.parts.parts import mounted_load as mounted_load
 from ropsim.simulation.recording.live_sample import live_sample as live_sample
 from ropsim.simulation.records.adapting import Adaptation as Adaptation
 from ropsim.simulation.records.move_span import MoveSpan as MoveSpan
+from ropsim.simulation.records.planned_sequence import PlannedSequence as PlannedSequence
 from ropsim.simulation.records.planned_sequence import Planning as Planning
 from ropsim.simulation.records.planned_sequence import planned_anew as planned_anew
 from ropsim.simulation.response.linear_loop import LinearLoop as LinearLoop

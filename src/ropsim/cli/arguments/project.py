@@ -70,6 +70,11 @@ def run(commands: Commands) -> None:
     parser.add_argument(
         "--kinematic", action="store_true", help="without drives and dynamics: the arm follows exactly"
     )
+    parser.add_argument(
+        "--real-time",
+        action="store_true",
+        help="pace the run by the clock and say which steps came too late, and why",
+    )
     parser.add_argument("--report", metavar="FILE.html", help="write the report as one HTML page")
     parser.add_argument("--record", metavar="FILE.npz", help="write the recording")
     parser.add_argument(

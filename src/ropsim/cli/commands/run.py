@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from ropsim import icr
 from ropsim.cli.terminal.output import Output, cannot_write
 from ropsim.cli.terminal.progress import Progress
+from ropsim.cli.terminal.real_time import RealTime
 from ropsim.core import Diagnostic
 from ropsim.flow import Recording
 from ropsim.records import diagnostic_document, readable
@@ -43,7 +44,8 @@ def run(options: argparse.Namespace, output: Output) -> int:
         return output.findings(before, sources)
     project.workspace.keep()
     output.engine_note()
-    recording = _simulate(project, programs, options)
+    pace = RealTime() if options.real_time else None
+    recording = _simulate(project, programs, options, pace)
     if options.collisions:
         recording = _checked(project, recording)
     report = project.report(recording, before)
@@ -57,6 +59,8 @@ def run(options: argparse.Namespace, output: Output) -> int:
     if printed:
         output.text(f"{messages_text(printed)}\n")
     output.text(report.text(output.style))
+    if pace is not None:
+        output.text(pace.text())
     written = _write(options, recording, report.save)
     for path in written:
         output.text(f"wrote {path}")
@@ -67,6 +71,7 @@ def run(options: argparse.Namespace, output: Output) -> int:
             "result": readable(result_figures(report.summary)),
             "summary": readable(report.summary),
             **({"what_if": comparison_entry(report.comparison)} if report.comparison else {}),
+            **({"real_time": pace.document()} if pace is not None else {}),
             "written": written,
             **diagnostic_document(findings),
         }
@@ -123,16 +128,24 @@ def _check_places(options: argparse.Namespace, project: Project) -> None:
 
 
 def _simulate(
-    project: Project, programs: Mapping[str, CompiledProgram], options: argparse.Namespace
+    project: Project,
+    programs: Mapping[str, CompiledProgram],
+    options: argparse.Namespace,
+    pace: RealTime | None,
 ) -> Recording:
     cell, codes = project.runnable(programs)
     with Progress(f"simulating {project.folder.resolve().name}") as progress:
         progress(0.0, "preparing the arm (compiled once, then cached)")
+        from ropsim.codegen import compiling_reported
         from ropsim.simulation import run as simulate
 
         arms = {name: program_arm(code, cell, cell.stations[name]) for name, code in codes.items()}
         traces = [icr.run(code, icr.StillWorld(arm=arms[name])) for name, code in codes.items()]
-        return simulate(cell, codes, _run_options(options, _counted(traces, progress)))
+        given = _run_options(options, _counted(traces, progress))
+        if pace is None:
+            return simulate(cell, codes, given)
+        with compiling_reported(pace.compiled):
+            return simulate(cell, codes, pace.paced(given))
 
 
 def _checked(project: Project, recording: Recording) -> Recording:

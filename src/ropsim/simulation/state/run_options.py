@@ -45,6 +45,8 @@ class RunOptions:
         stopped: when the run is ended by hand, as an earlier one was [s]; None for its own end.
         longest_wait: simulated time after which a wait for a signal ends the program [s].
         most_rows: recorded rows beyond which every second one is dropped, so that memory stays bounded.
+        longest_step: simulated time that a station moves on at most before others and `watch` have their turn
+            [s]; None for whole moves. It does not change the result.
         adapt: maps each move of a program to the executed one; identity without changes.
         watch: observes the run, may hold it and press inputs.
     """
@@ -64,6 +66,7 @@ class RunOptions:
     stopped: float | None = None
     longest_wait: float = 600.0
     most_rows: int = MOST_ROWS
+    longest_step: float | None = None
     adapt: Adaptation = as_programmed
     watch: Watch = field(default_factory=NobodyWatches)
 

@@ -128,6 +128,8 @@ def _station_run(
         last_tick=round(options.longest * control_hz),
         cell_ticks=hz // control_hz,
     )
+    if options.longest_step is not None:
+        at.stride = max(1, round(options.longest_step * control_hz))
     if options.watch.may_press:  # any intervention acts within an interpolation tick
         at.stride = station.controller.rates.interpolation_ticks
     for name, tool in station.tools.items():
