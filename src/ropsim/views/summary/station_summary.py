@@ -21,7 +21,14 @@ from ropsim.flow import (
     settling_of,
     waiting_of,
 )
-from ropsim.views.accuracy import CornerFigures, StopFigures, corner_figures, stop_figures
+from ropsim.views.accuracy import (
+    ContourFigures,
+    CornerFigures,
+    StopFigures,
+    contours,
+    corner_figures,
+    stop_figures,
+)
 from ropsim.views.channels import station_views
 from ropsim.views.cycle import CycleTime, summarize_cycle
 from ropsim.views.summary.device_summary import TaskSummary, summarize_tasks
@@ -50,6 +57,8 @@ class StationSummary:
         path: accuracy of the moves with a path of the tool.
         corners: how corners are passed that are rounded, in order of time.
         stops: how moves come to rest, in order of time; of a kinematic run there are none.
+        contours: how true it was to tool paths that follow upon each other, in order of time; of a
+            kinematic run there are none.
         cycle: composition of its cycle time.
         is_driven: whether drives moved its arm; without them it is where its reference is, exactly, and
             nothing is known of settling, torques and accuracy.
@@ -70,6 +79,7 @@ class StationSummary:
     path: PathSummary
     corners: tuple[CornerFigures, ...]
     stops: tuple[StopFigures, ...]
+    contours: tuple[ContourFigures, ...] = ()
     cycle: CycleTime = field(default_factory=CycleTime)
     is_driven: bool = True
 
@@ -142,6 +152,11 @@ class Figures(Protocol):
         """Return how moves come to rest."""
         ...
 
+    @property
+    def contours(self) -> tuple[ContourFigures, ...]:
+        """Return how true the arm was to tool paths that follow upon each other."""
+        ...
+
 
 def summarize_stations(recording: Recording) -> tuple[StationSummary, ...]:
     """Return the figures of each station of a run, in the order of the cell."""
@@ -183,6 +198,7 @@ def _part(recording: Recording, facts: StationFacts) -> Recording:
 def _station(recording: Recording, facts: StationFacts, cycle: CycleTime) -> StationSummary:
     events = recording.events
     cycle_time, views = end_of(events), station_views(recording)
+    stops = tuple(one for station in views for one in stop_figures(station))
     return StationSummary(
         facts=facts,
         cycle_time=cycle_time,
@@ -198,7 +214,8 @@ def _station(recording: Recording, facts: StationFacts, cycle: CycleTime) -> Sta
         joints=summarize_joints(recording),
         path=summarize_path(recording),
         corners=tuple(one for station in views for one in corner_figures(station)),
-        stops=tuple(one for station in views for one in stop_figures(station)),
+        stops=stops,
+        contours=tuple(one for station in views for one, _ in contours(station, stops)),
         cycle=cycle,
         is_driven=any(station.is_driven for station in views),
     )
