@@ -19,6 +19,9 @@ from ropsim.simulation.response.margins import frequency_response as frequency_r
 from ropsim.simulation.response.margins import is_stable as is_stable
 from ropsim.simulation.response.margins import margins as margins
 from ropsim.simulation.response.margins import natural_modes as natural_modes
+from ropsim.simulation.response.oil_spring import OilSpring as OilSpring
+from ropsim.simulation.response.oil_spring import oil_springs as oil_springs
+from ropsim.simulation.response.oil_spring import plant_modes as plant_modes
 from ropsim.simulation.response.time_response import StepFigures as StepFigures
 from ropsim.simulation.response.time_response import TimeResponse as TimeResponse
 from ropsim.simulation.response.time_response import lag_of as lag_of

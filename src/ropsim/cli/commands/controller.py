@@ -19,6 +19,8 @@ from ropsim.simulation import (
     margins,
     mounted_load,
     natural_modes,
+    oil_springs,
+    plant_modes,
     ramp_response,
     step_response,
 )
@@ -82,7 +84,15 @@ def response(options: argparse.Namespace, output: Output) -> int:
         tested.append(TestedAxis(axis, answer, margins(loop, axis), sines.bandwidth, swept))
     code = output.findings(findings, project.texts)
     rest = Rest(
-        robot, station.controller, q, place, load.mass, natural_modes(loop), is_ramp=bool(options.ramp)
+        robot,
+        station.controller,
+        q,
+        place,
+        load.mass,
+        natural_modes(loop),
+        plant_modes(loop),
+        oil_springs(robot, q, load),
+        is_ramp=bool(options.ramp),
     )
     output.text(response_text(rest, tested, output.style))
     ok = code == 0 and all(one.margins.stable for one in tested)
