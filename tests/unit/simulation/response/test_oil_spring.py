@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 
 from ropsim import robots
 from ropsim.dynamics import gravity, mass_matrix
-from ropsim.model import Friction, HydraulicCylinder, Linkage, Payload, RobotModel
+from ropsim.model import Drive, Friction, HydraulicCylinder, Linkage, Payload, RobotModel
 from ropsim.simulation import linear_loop, oil_springs, plant_modes
 from ropsim.spatial import Array
 
@@ -20,10 +20,15 @@ SPEED = 1e-3
 PLACES = np.radians([[0.0, -20.0], [45.0, -60.0], [70.0, 20.0]])
 
 
+def cylinder(drive: Drive) -> HydraulicCylinder:
+    assert isinstance(drive.motor, HydraulicCylinder)
+    return drive.motor
+
+
 def without_losses() -> RobotModel:
     """Return the crane with tight chambers and without friction."""
     drives = (
-        replace(one, motor=replace(one.motor, leakage=0.0), friction=Friction()) for one in CRANE.drives
+        replace(one, motor=replace(cylinder(one), leakage=0.0), friction=Friction()) for one in CRANE.drives
     )
     return replace(CRANE, drives=tuple(drives))
 
@@ -32,8 +37,7 @@ def chamber_springs(q: Array) -> Array:
     """Return stiffnesses at the rods from the way of the rod by differences of its length."""
     found = []
     for drive, place in zip(CRANE.drives, q.tolist(), strict=True):
-        motor, gear = drive.motor, drive.transmission
-        assert isinstance(motor, HydraulicCylinder)
+        motor, gear = cylinder(drive), drive.transmission
         assert isinstance(gear, Linkage)
         (a, b, e), (c, d, f) = gear.carrier_pin, gear.link_pin
         turned = (c * math.cos(place) - d * math.sin(place), c * math.sin(place) + d * math.cos(place), f)
@@ -61,7 +65,7 @@ def test_lever_mass_and_oil_are_those_of_the_triangle_and_the_chambers(q: Array)
 
 @pytest.mark.parametrize("q", PLACES)
 def test_without_a_law_the_arm_swings_on_its_oil(q: Array) -> None:
-    """K·x = ω²·M·x of all axes together, without leaks and friction, and with a stiffness of gravity beside."""
+    """K·x = ω²·M·x of all axes together, without leaks and friction; gravity's own stiffness is small."""
     arm = without_losses()
     found = oil_springs(arm, q, Payload())
     stiffness = np.diag([one.stiffness * one.lever**2 for one in found])
@@ -78,13 +82,10 @@ def test_without_a_law_the_arm_swings_on_its_oil(q: Array) -> None:
 @pytest.mark.parametrize("q", PLACES)
 def test_a_valve_moves_its_axis_as_fast_as_the_flow_through_both_edges_allows(q: Array) -> None:
     """Of a rod that is pushed out: v·A_a = x·Q·√(2·(p_s - p_a)/Δp), v·A_b = x·Q·√(2·(p_b - p_r)/Δp)."""
-    arm = replace(
-        CRANE, drives=tuple(replace(one, motor=replace(one.motor, leakage=0.0)) for one in CRANE.drives)
-    )
+    arm = without_losses()
     efforts = gravity(arm, q)
     for one in oil_springs(arm, q, Payload()):
-        motor, gear = arm.drives[one.axis].motor, arm.drives[one.axis].transmission
-        assert isinstance(motor, HydraulicCylinder)
+        motor, gear = cylinder(arm.drives[one.axis]), arm.drives[one.axis].transmission
         assert isinstance(gear, Linkage)
         force = efforts[one.axis] / gear.ratio_at(q[one.axis])
 
