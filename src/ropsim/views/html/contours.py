@@ -1,23 +1,14 @@
 """Contours in the HTML report: a table, and each in its plane with the error enlarged."""
 
-import numpy as np
-
 from ropsim.flow import Recording
-from ropsim.spatial import Array
-from ropsim.views.accuracy import ContourFigures, ContourRows, contours
-from ropsim.views.channels import station_views
+from ropsim.views.accuracy import ContourFigures, ContourRows
+from ropsim.views.accuracy.contour_drawing import contour_drawing
 from ropsim.views.chart.plane import ContourChart, contour_chart
 from ropsim.views.html.strips import figure
 from ropsim.views.markup.markup import table, text
-from ropsim.views.summary.station_summary import StationSummary
+from ropsim.views.summary.station_summary import StationSummary, drawn_contours
 from ropsim.views.words.contours import contour_name
 from ropsim.views.words.figures import MILLIMETRES, fixed, seconds
-
-MOST = 8
-"""Contours that are drawn: those with the largest path errors."""
-SHARE = 0.08
-"""An error is drawn at most this share of the size of its contour long."""
-_STEPS = (1, 2, 5)
 
 
 def contour_section(station: StationSummary, recording: Recording, of: str) -> str:
@@ -30,14 +21,12 @@ def contour_section(station: StationSummary, recording: Recording, of: str) -> s
     """
     if not station.contours:
         return ""
-    views = (one for one in station_views(recording) if one.facts.name == station.facts.name)
-    drawn = [pair for view in views for pair in contours(view, station.stops)]
-    worst = sorted(drawn, key=lambda one: -one[0].path_max)[:MOST]
-    kept = [pair for pair in drawn if pair in worst]
+    kept = drawn_contours(recording, station)
     several = len(recording.facts.stations) > 1
     suffix = f"-{[one.name for one in recording.facts.stations].index(station.facts.name)}" if several else ""
     charts = "".join(_chart(one, rows, f"{number}{suffix}") for number, (one, rows) in enumerate(kept, 1))
-    left_out = f"<p>The {MOST} with the largest errors are drawn.</p>\n" if len(drawn) > MOST else ""
+    is_part = len(station.contours) > len(kept)
+    left_out = f"<p>The {len(kept)} with the largest errors are drawn.</p>\n" if is_part else ""
     body = f'<div class="pair">{charts}</div>'
     picture = figure("Contours, errors enlarged", ("contour", "way"), body)
     return f"<section><h2>Contours{of}</h2>\n{_table(station.contours)}{left_out}{picture}</section>\n"
@@ -78,34 +67,16 @@ def _table(found: tuple[ContourFigures, ...]) -> str:
 
 
 def _chart(one: ContourFigures, rows: ContourRows, suffix: str) -> str:
-    size = float(np.ptp(rows.corners, axis=0).max())
-    factor = _factor(SHARE * size / one.path_max if one.path_max > 0.0 else 1.0)
-    drawn = rows.nearest + factor * (rows.attained - rows.nearest)
-    first, second = _plane(rows.corners)
-    plane = [first, second]
-    enlarged = f"error × {factor}" if factor > 1 else "true to scale"
-    title = f"{contour_name(one)}: {enlarged}, at most {fixed(one.path_max, MILLIMETRES, 3)} mm"
+    drawing = contour_drawing(one, rows)
+    title = f"{contour_name(one)}: {drawing.words}, at most {fixed(one.path_max, MILLIMETRES, 3)} mm"
     svg = contour_chart(
         ContourChart(
             f"contour-{suffix}",
             title,
-            f"Contour and attained path of the tool centre point in the base frame, {enlarged}.",
-            (f"{'xyz'[first]} [mm]", f"{'xyz'[second]} [mm]"),
-            rows.corners[:, plane] * MILLIMETRES.factor,
-            drawn[:, plane] * MILLIMETRES.factor,
+            f"Contour and attained path of the tool centre point in the base frame, {drawing.words}.",
+            (f"{drawing.axes[0]} [mm]", f"{drawing.axes[1]} [mm]"),
+            drawing.wanted * MILLIMETRES.factor,
+            drawing.attained * MILLIMETRES.factor,
         )
     )
     return f"<div><p>{text(title)}</p>\n{svg}</div>\n"
-
-
-def _factor(most: float) -> int:
-    """Return the largest of 1, 2, 5, 10, 20 … that is not above a number; 1 at least."""
-    power = 10 ** int(np.floor(np.log10(max(most, 1.0))))
-    return int(max(step * power for step in _STEPS if step * power <= max(most, 1.0)))
-
-
-def _plane(corners: Array) -> tuple[int, int]:
-    """Return the axes of the plane that shows most of a contour: all but the one along which it is least."""
-    extents = np.ptp(corners, axis=0)
-    first, second = sorted(np.argsort(-extents, kind="stable")[:2].tolist())
-    return first, second

@@ -23,6 +23,7 @@ from ropsim.flow import (
 )
 from ropsim.views.accuracy import (
     ContourFigures,
+    ContourRows,
     CornerFigures,
     StopFigures,
     contours,
@@ -34,6 +35,9 @@ from ropsim.views.cycle import CycleTime, summarize_cycle
 from ropsim.views.summary.device_summary import TaskSummary, summarize_tasks
 from ropsim.views.summary.joint_summary import JointSummary, summarize_joints
 from ropsim.views.summary.path_summary import PathSummary, summarize_path
+
+DRAWN_CONTOURS = 8
+"""Contours of a station that are drawn at most."""
 
 
 @frozen_dataclass
@@ -164,6 +168,14 @@ def summarize_stations(recording: Recording) -> tuple[StationSummary, ...]:
         _station(_part(recording, facts), facts, summarize_cycle(recording, facts))
         for facts in recording.facts.stations
     )
+
+
+def drawn_contours(recording: Recording, station: StationSummary) -> list[tuple[ContourFigures, ContourRows]]:
+    """Return the contours of a station that are drawn, in order of time: those with the largest errors."""
+    views = (one for one in station_views(recording) if one.facts.name == station.facts.name)
+    found = [pair for view in views for pair in contours(view, station.stops)]
+    worst = sorted((one.path_max for one, _ in found), reverse=True)[:DRAWN_CONTOURS]
+    return [pair for pair in found if pair[0].path_max >= worst[-1]][:DRAWN_CONTOURS] if found else []
 
 
 def end_of(events: Iterable[Event]) -> float:
