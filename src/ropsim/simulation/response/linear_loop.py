@@ -1,23 +1,24 @@
 """The servo loop of an arm about a rest, linear and tick by tick, from the code of plant and law."""
 
-import math
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
 from ropsim.codegen import Engine, load
-from ropsim.controller import CompiledLaw, law_of
+from ropsim.controller import CompiledLaw, in_python, law_arrays, law_of
 from ropsim.dynamics import arm_numbers, barycentric, structure_of
 from ropsim.model import ControllerModel, Friction, Payload, RobotModel
 from ropsim.simulation.servo.held_state import SMALL, held_state, without_dead_zones
-from ropsim.simulation.servo.plant_code import plant_code
+from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
 from ropsim.simulation.servo.state import StateLayout
 from ropsim.spatial import Array, frozen, record
 
-_NO_SIGNALS = np.zeros(0)
+_LONGEST_REST = 5000
+"""Ticks in which what a law remembers comes to rest."""
+_REST = 1e-12
+"""Change in a tick, over the largest number, of what has come to rest."""
 
 
 @record
@@ -109,7 +110,7 @@ def linear_loop(
     x, u = held_state(arm, q, payload)
     chosen, rates = law or law_of(controller, robot), controller.rates
     F, G = _plant(arm, payload, (x, u), rates.control_period, plant_steps_of(robot, rates))
-    K, L = _law(chosen, robot, x, payload)
+    K, L = _law(chosen, robot, (x, u), payload)
     return LinearLoop(frozen(F), frozen(G), frozen(K), frozen(L), rates.control_period, chosen.traits.delay)
 
 
@@ -147,26 +148,40 @@ def _plant(
     return after[:s, :s], after[:s, s:] * np.array([drive.sense for drive in robot.drives])
 
 
-def _law(law: CompiledLaw, robot: RobotModel, x: Array, payload: Payload) -> tuple[Array, Array]:
+def _law(
+    law: CompiledLaw, robot: RobotModel, rest: tuple[Array, Array], payload: Payload
+) -> tuple[Array, Array]:
     """Return how outputs and next states of a law follow from state, law and reference: two matrices."""
-    scope: dict[str, Any] = {"math": math, "np": np}
-    for one in law.functions:
-        exec(one.text, scope)
-    exec(law.source, scope)
+    x, u = rest
+    function, arrays = in_python(law), law_arrays(law, robot.n)
     layout = StateLayout.of(structure_of(robot).drives, law.traits)
     n, s, speeds = robot.n, layout.integrated, list(layout.measured_speeds)
-    numbers = np.array(barycentric(payload.mass, payload.com, payload.inertia))
-    signals = np.zeros(len(law.traits.aux)) if law.traits.aux else _NO_SIGNALS
+    arrays["load"] = np.array(barycentric(payload.mass, payload.com, payload.inertia))
+    sensed = layout.sensed(law.traits.sensed)
 
     def answers(values: Array) -> Array:
         ref, meas, out = np.zeros((3, n)), np.zeros((3, n)), np.zeros(n)
         ref[0], meas[0], meas[1] = values[-n:], values[:n], values[speeds]
+        efforts(robot, values[:s], u, meas[2])
         state = values[s:-n].reshape(-1, n).copy()
-        scope["law"](law.parameters, state, ref, meas, numbers, signals, out)
+        seen = [[0.0 if one is None else values[one] for one in places] for places in sensed]
+        given = {"sensed": np.array(seen).reshape(len(sensed), n), "state": state, "ref": ref, "meas": meas}
+        function({**arrays, **given, "out": out})
         return np.concatenate((out, state.ravel()))
 
-    rest = np.concatenate((x, np.zeros(layout.law_rows * n), x[:n]))
-    J = _differences(answers, rest)
+    memory = np.zeros((layout.law_rows, n))
+    if law.model and law.traits.hold_row is not None:
+        memory[law.traits.hold_row] = u * np.array([drive.sense for drive in robot.drives])
+    values = np.concatenate((x, memory.ravel(), x[:n]))
+    for _ in range(_LONGEST_REST if law.model else 0):
+        kept = answers(values)[n:]
+        is_at_rest = bool(
+            np.abs(kept - values[s:-n]).max(initial=0.0) <= _REST * np.abs(kept).max(initial=0.0)
+        )
+        values[s:-n] = kept
+        if is_at_rest:
+            break
+    J = _differences(answers, values)
     return J[:n], J[n:]
 
 

@@ -6,7 +6,16 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.codegen import Compiled, Engine, StoppedError, bound, default_engine, load
-from ropsim.controller import CompiledLaw, LawInput, PythonLaw, compiled_half, failed, law_of, rehearse
+from ropsim.controller import (
+    CompiledLaw,
+    LawInput,
+    PythonLaw,
+    compiled_half,
+    failed,
+    law_model,
+    law_of,
+    rehearse,
+)
 from ropsim.core import RopsimError
 from ropsim.dynamics import (
     arm_numbers,
@@ -35,7 +44,7 @@ from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.slice_log import Log
-from ropsim.simulation.servo.source import servo_functions
+from ropsim.simulation.servo.source import frame_rows, servo_functions
 from ropsim.simulation.servo.state import ServoState, StateLayout
 from ropsim.spatial import Array
 
@@ -237,6 +246,7 @@ class Servo:
     ) -> None:
         """Run one tick per slice, each with the output of the law in Python as its only parameter."""
         n, memory = self.robot.n, self.layout.memory(self.bench.values)
+        model = law_model(self.robot)
         for k in range(len(signals)):
             before = ServoState(state.tick + k, self.bench.values.copy(), self.layout)
             now = LawInput(
@@ -245,6 +255,8 @@ class Servo:
                 self._measured(before),
                 payload,
                 signals[k].copy(),
+                self._sensed(before),
+                model,
             )
             try:
                 answer = law.step(now, memory)
@@ -260,6 +272,12 @@ class Servo:
         """Return coordinates of joints, speeds as measured at the motors, torques of drives, shape (3, n)."""
         speeds = state.values[list(self.layout.measured_speeds)]
         return np.array((state.q, speeds, self.efforts(state)))
+
+    def _sensed(self, state: ServoState) -> Array:
+        """Return the states of the drives that the law reads, shape (r, n)."""
+        found = self.layout.sensed(self.law.traits.sensed)
+        rows = [[0.0 if one is None else state.values[one] for one in places] for places in found]
+        return np.array(rows).reshape(len(found), self.robot.n)
 
     def efforts(self, state: ServoState) -> Array:
         """Return the torques of the drives at the joints in a state [N·m | N], shape (n,)."""
@@ -278,7 +296,7 @@ class _Bench:
 
     Attributes:
         values: the state vector while it is worked on.
-        parameters: of the law.
+        parameters: of the law, and below them its model.
         slice: the compiled slice with room to work in, parameters of the law and rates.
         slices: the same for a payload.
     """
@@ -293,9 +311,11 @@ class _Bench:
         cls, kernel: Compiled, law: CompiledLaw, layout: StateLayout, rates: Rates, robot: RobotModel
     ) -> "_Bench":
         values, parameters = np.zeros(layout.size), np.array(law.parameters)
+        if law.model:
+            parameters = np.vstack((parameters, law.model.rows))
         state = (values, layout.in_force(values), layout.waiting(values), layout.memory(values))
         ends, full = np.array([robot.lower_limits, robot.upper_limits]), full_values(robot)
-        room = (np.zeros((4, layout.n)), np.zeros((5, layout.integrated)), np.zeros(len(full)))
+        room = (np.zeros((frame_rows(law), layout.n)), np.zeros((5, layout.integrated)), np.zeros(len(full)))
         given = (*state, parameters, *room, ends, full, rates.plant_steps, 1.0 / rates.control_hz)
         made = bound(kernel, *given)
         return cls(values, parameters, made, {})

@@ -101,6 +101,14 @@ class StateLayout:
         }
         return tuple(motors.get(axis, self.n + axis) for axis in range(self.n))
 
+    def sensed(self, names: tuple[str, ...]) -> list[tuple[int | None, ...]]:
+        """Return for each name where that state of each drive stands; None for a drive without it."""
+        places = {
+            field.name: dict(zip(field.axes, range(field.first, field.place.stop), strict=True))
+            for field in self.drives
+        }
+        return [tuple(places.get(name, {}).get(axis) for axis in range(self.n)) for name in names]
+
     def drive(self, axis: int) -> tuple[int, ...]:
         """Return the places of the states of one drive, in the order of its chain."""
         return tuple(field.first + field.axes.index(axis) for field in self.drives if axis in field.axes)
