@@ -12,9 +12,16 @@ from ropsim.controller.law import LawInput as LawInput
 from ropsim.controller.law import LawTraits as LawTraits
 from ropsim.controller.law import PythonLaw as PythonLaw
 from ropsim.controller.law import compiled_half as compiled_half
+from ropsim.controller.law_code import LawCode as LawCode
+from ropsim.controller.law_code import in_python as in_python
+from ropsim.controller.law_code import law_arrays as law_arrays
+from ropsim.controller.law_code import law_code as law_code
+from ropsim.controller.law_code import law_functions as law_functions
 from ropsim.controller.law_diagnostics import LAW_DOES_NOT_FIT as LAW_DOES_NOT_FIT
 from ropsim.controller.law_diagnostics import GainError as GainError
 from ropsim.controller.law_diagnostics import LawError as LawError
+from ropsim.controller.law_model import LawModel as LawModel
+from ropsim.controller.law_model import law_model as law_model
 from ropsim.controller.laws import law_of as law_of
 from ropsim.controller.motion_clock import ClockError as ClockError
 from ropsim.controller.motion_clock import ClockLimits as ClockLimits

@@ -46,8 +46,9 @@ A law of your own cannot be read as Python, raises an exception, cannot be compi
 arrays or puts out NaN. It is tried once in plain Python before a run, at rest and on its reference, with
 every index checked; while it runs, indexes are checked too. The message says what it did.
 
-A compiled law is the source of `law(par, state, ref, meas, load, aux, out)`; it may use `math`, loops and
-arithmetic on its arrays. `par` has the shape of the parameters, `state` one row for each name in
+A compiled law is the source of `law`, whose arguments have names: `out`, and of `par`, `state`, `ref`,
+`meas`, `sensed`, `drive`, `model`, `work`, `load`, `aux` those that it needs. It may use `math`, loops and
+arithmetic on these arrays. `par` has the shape of the parameters, `state` one row for each name in
 `traits.state_names`, `ref` and `meas` three rows, `out` one number per joint.
 """,
 )
@@ -59,8 +60,9 @@ LAW_DOES_NOT_FIT = define(
     "a joint controller does not fit the drives or the cell",
     """
 What a law says about itself (`traits`) does not go together with the arm: it puts out voltages where a drive
-takes torques, it has a negative delay, it names a row of its state that it does not have, or it reads a
-signal that the cell does not have.
+takes torques, it has a negative delay, it names a row of its state that it does not have, it reads a
+signal that the cell does not have, or a state of its drives, such as `pressure_a`, that one of them does not
+have. The message says which states that drive has.
 """,
 )
 

@@ -7,6 +7,7 @@ from typing import ClassVar
 from ropsim.core import frozen_dataclass
 from ropsim.flow import ParameterOrigin
 from ropsim.model.findings.number_range import COORDINATE, EXTENT, RATE, TIME, Ranges, between, whole
+from ropsim.model.joint_sensors import JointSensors
 from ropsim.spatial import Array, frozen, record
 
 
@@ -255,6 +256,7 @@ class ControllerModel:
         ptp: how the joints go together on PTP moves.
         short_lines: how chains of short lines with zones are flown.
         correction: how far and how quickly a sensor may shift a path.
+        sensors: of the joint controller.
         origins: where the gains come from.
     """
 
@@ -280,6 +282,7 @@ class ControllerModel:
     ptp: Synchronisation = Synchronisation.PHASE
     short_lines: ShortLines = ShortLines.CURVES
     correction: CorrectionLimits = CorrectionLimits()
+    sensors: JointSensors = JointSensors()
     origins: tuple[ParameterOrigin, ...] = ()
 
     def __post_init__(self) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 from ropsim import robots
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.robots.external_axes import ExternalAxes, read_external_axes
+from ropsim.cellfile.robots.sensors import read_sensors, sensor_words
 from ropsim.core import RopsimError
 from ropsim.model import (
     GAIN_NAMES,
@@ -202,6 +203,9 @@ def _controller(
 ) -> ControllerModel:
     windows = [quantity.within(_NARROWEST, _WIDEST) for quantity in _coordinates(model, units)]
     controller = _with_stated_law(table, controller, model)
+    sensors = read_sensors(table.table("sensors"), model, units)
+    words = [sensor_words(sensors)] if sensors.sensors else []
+    measured = tuple(ParameterOrigin("sensors", OriginKind.DERIVED, one) for one in words)
     names = gain_names(controller.gains)
     given = [name for name in names if name in table]
     given_path = [name for name in _PATH_KEYS if name in table]
@@ -233,7 +237,9 @@ def _controller(
         origins=tuple(
             _with_given(origin, given_path if origin.parameters == robots.PATH_LIMITS else given)
             for origin in controller.origins
-        ),
+        )
+        + measured,
+        sensors=sensors,
     )
 
 
