@@ -1,4 +1,4 @@
-"""Errors of the joints, axes, couplings and loops of a mechanism (codes X828 to X839)."""
+"""Errors of the joints, axes, couplings and loops of a mechanism (codes X828 to X839, X977)."""
 
 from ropsim.core import Severity, define
 
@@ -106,6 +106,21 @@ LOOP_TWICE = define(
 A loop is described either exactly by couplings (a parallelogram, whose angles are linear functions of each
 other) or by one cut. Two cuts of the same place, or a cut of a loop whose coordinates are all axes or
 coupled, would constrain it twice.
+""",
+)
+
+BAD_SPRING = define(
+    "X977",
+    "impossible-spring",
+    Severity.ERROR,
+    "a spring has a number that no spring can have, or is fastened to nothing",
+    """
+A `Spring` is fastened to points of two different bodies of its mechanism, the base or links; a `JointSpring`
+acts on one coordinate of a joint, counted from 0 joint by joint. Stiffness, damping and free length are 0 or
+more: a negative stiffness would push away from rest, a negative damping would drive the motion.
+
+Look for a sign, or for the number of the link: links are numbered from 0 in the model; messages count them
+from 1, and 0 is the base.
 """,
 )
 
