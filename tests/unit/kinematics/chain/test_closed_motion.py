@@ -44,7 +44,7 @@ def moved_from_home(loop: Mechanism, seed: int, reach: float = 0.3) -> Array:
 
 def closable(loop: Mechanism, rows: Array) -> Array:
     results = closed_states(closed_arrays(loop), rows)[1]
-    return rows[results[:, 0] == 1.0]
+    return np.asarray(rows[results[:, 0] == 1.0])
 
 
 def test_there_are_hundreds_of_random_loops_that_can_move() -> None:
