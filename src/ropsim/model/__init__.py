@@ -167,6 +167,7 @@ from ropsim.model.mechanism.links import JointType as JointType
 from ropsim.model.mechanism.links import Link as Link
 from ropsim.model.mechanism.links import LoopCut as LoopCut
 from ropsim.model.mechanism.mechanism import Mechanism as Mechanism
+from ropsim.model.mechanism.mechanism import first_coordinates as first_coordinates
 from ropsim.model.mechanism.mechanism_check import MechanismError as MechanismError
 from ropsim.model.mechanism.mechanism_check import check_counts as check_counts
 from ropsim.model.mechanism.mechanism_check import check_mechanism as check_mechanism
@@ -181,6 +182,8 @@ from ropsim.model.mechanism.pins import pin_at as pin_at
 from ropsim.model.mechanism.placements import placement_matrices as placement_matrices
 from ropsim.model.mechanism.placements import pose_matrices as pose_matrices
 from ropsim.model.mechanism.placements import snapped as snapped
+from ropsim.model.mechanism.springs import JointSpring as JointSpring
+from ropsim.model.mechanism.springs import Spring as Spring
 from ropsim.model.robots.arm_class import ArmClass as ArmClass
 from ropsim.model.robots.composition import beside as beside
 from ropsim.model.robots.composition import on_track as on_track

@@ -12,10 +12,12 @@ from ropsim.model import (
     BASE_LINK,
     Coupling,
     Direction,
+    JointSpring,
     JointType,
     LoopCut,
     Mechanism,
     RobotModel,
+    Spring,
     audit,
 )
 from ropsim.robots import default_controller
@@ -83,6 +85,21 @@ WRONG = {
         "an earlier one holds",
     ),
     "absent external axis": (replace(ARM, external=(4,)), "X828", "[4] of 4 axes"),
+    "spring of nothing": (
+        replace(ARM, springs=(Spring("balance", BASE_LINK, np.zeros(3), 4, np.zeros(3), 1e3),)),
+        "X977",
+        "between links 0 and 5",
+    ),
+    "spring of one link": (
+        replace(ARM, springs=(Spring("balance", 1, np.zeros(3), 1, np.ones(3), 1e3),)),
+        "X977",
+        "between links 2 and 2",
+    ),
+    "spring on no coordinate": (
+        replace(ARM, joint_springs=(JointSpring("return", 4, 10.0),)),
+        "X977",
+        "on coordinate 4",
+    ),
     "external axis twice": (replace(ARM, external=(3, 3)), "X828", "[3, 3] of 4 axes"),
 }
 
