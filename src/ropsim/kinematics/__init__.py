@@ -57,6 +57,7 @@ from ropsim.kinematics.points.point_answers import PointAnswers as PointAnswers
 from ropsim.kinematics.points.point_answers import point_answers as point_answers
 from ropsim.kinematics.points.point_arm import Places as Places
 from ropsim.kinematics.points.point_arm import chooses_points_only as chooses_points_only
+from ropsim.kinematics.points.point_arm import spare_joints as spare_joints
 from ropsim.kinematics.points.point_path import followed_points as followed_points
 from ropsim.kinematics.points.point_path import points_continued as points_continued
 from ropsim.kinematics.points.point_path import points_near as points_near

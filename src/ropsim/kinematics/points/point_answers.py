@@ -14,6 +14,8 @@ from ropsim.spatial import Array, Pose, record
 
 ROUNDS = 200
 """Steps to the nearest of all answers at most, where an arm has joints to spare."""
+BEST, AGAIN = 4, 10
+"""Where no start leads to a point, the search goes on so often from so many of the nearest places."""
 SAME = 1e-6
 """Answers nearer to each other than this are one [rad | m]."""
 TURN = 2.0 * np.pi
@@ -24,8 +26,8 @@ class PointAnswers:
     """How an arm brings its TCP to a point.
 
     Attributes:
-        branches: joint coordinates [rad | m], with angles in (-π, π]; of an arm with joints to spare those next
-            to where it stands, within its limits where there are such. Shape (m, n).
+        branches: joint coordinates [rad | m], shape (m, n), with angles in (-π, π]; of an arm with joints to
+            spare those next to where it stands, within its limits where there are such.
         places: where the TCP can be.
         miss: distance of the nearest of these places from the point [m]; 0 where the point is reached.
         beside: distance of the point from plane or line of these places [m]; 0 where they have none.
@@ -38,7 +40,7 @@ class PointAnswers:
 
 
 def point_answers(robot: RobotModel, X_MT: Pose, point: Array, near: Array) -> PointAnswers:
-    """Return all joint coordinates that were found to bring the TCP to a point; limits count as `branches` says.
+    """Return all joint coordinates that were found to bring the TCP to a point.
 
     A point is reached within 1e-9 m in the directions in which the TCP moves and within `TASK_SLACK` beside
     them. The search starts from where the arm stands and from places that fill its range; of an arm whose
@@ -58,6 +60,11 @@ def point_answers(robot: RobotModel, X_MT: Pose, point: Array, near: Array) -> P
         rows = own[np.newaxis] if away <= TASK_SLACK else own[np.newaxis][:0]
         return PointAnswers(of_whole(robot, near, rows), shape.places, away, 0.0)
     q, misses = searched(shape, np.tile(goal, (len(starts), 1)), starts)
+    if not reached(shape, misses).any():  # the least distance needs more steps than an answer
+        best = np.argsort(misses[:, 1], kind="stable")[:BEST]
+        q, misses = q[best], misses[best]
+        for _ in range(AGAIN):
+            q, misses = searched(shape, np.tile(goal, (len(q), 1)), q)
     nearest = int(np.argmin(misses[:, 1]))
     off = goal - tcp_of(shape, q[nearest])
     beside = float(np.linalg.norm(off - shape.space.T @ (shape.space @ off))) if shape.is_flat else 0.0

@@ -21,6 +21,8 @@ PROBES = 16
 """Configurations from which it is seen what an arm can choose."""
 FLAT = 1e-9
 """A direction in which the TCP moves less than this share of the greatest one is none."""
+STILL = 1e-9
+"""A TCP that a turn of each joint by one radian moves less than this stands still [m]."""
 CHOSEN = 5e-3
 """The same for what an arm can choose where it stands: files write angles with three digits."""
 
@@ -62,7 +64,7 @@ class PointShape:
 
     @property
     def is_flat(self) -> bool:
-        """Return whether the places have the same directions everywhere: of others none is a straight line."""
+        """Return whether the places are a straight line, a plane or the space: not bent."""
         return self.rank == len(self.space)
 
     @property
@@ -88,12 +90,17 @@ class PointShape:
 
 
 def chooses_points_only(robot: RobotModel) -> bool:
-    """Return whether an arm has too few axes for all of a pose, so that with a free orientation the point counts.
+    """Return whether an arm has too few axes for a pose: with a free orientation, the point alone counts.
 
     Args:
         robot: with its external axes; closed chains have no answer here.
     """
     return robot.has_arm and 0 < robot.n - len(robot.external) < POSE and not robot.cuts
+
+
+def spare_joints(robot: RobotModel, X_MT: Pose) -> int:
+    """Return how many joints more an arm has than it needs to bring the TCP of a tool to a point."""
+    return point_shape(robot, X_MT.position).spare
 
 
 def point_shape(robot: RobotModel, tcp: Array) -> PointShape:
@@ -113,7 +120,7 @@ def _shape(robot: RobotModel, tcp: tuple[float, float, float]) -> PointShape:
     ways = np.array([jacobian_at(arm, q, Pose(np.array(tcp)))[:3] for q in starts[:PROBES]])  # (s, 3, n)
     _, sizes, directions = np.linalg.svd(np.concatenate(ways, axis=1).T, full_matrices=False)
     greatest = float(sizes[0])
-    d = int((sizes > FLAT * greatest).sum()) if greatest > 0.0 else 0
+    d = int((sizes > FLAT * greatest).sum()) if greatest > STILL else 0
     space = np.eye(3) if d == len(directions) == 3 else directions[:d]
     chosen = np.linalg.svd(ways, compute_uv=False)
     rank = int((chosen > CHOSEN * np.maximum(chosen[:, :1], 1e-300)).sum(axis=1).max()) if d else 0

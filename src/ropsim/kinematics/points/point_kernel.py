@@ -20,13 +20,15 @@ GOAL = 1e-15
 """No more steps below this error [m]: it is the rounding of forward kinematics."""
 LONGEST_STEP = 0.7
 """No joint moves farther in one step [rad | m]; beyond, the Jacobian says little."""
-STEPS = 60
+STEPS = 100
 """Largest number of steps from a start to a point."""
+PROGRESS = 1.0 - 1e-7
+"""Share of the error that is left after a step with progress at most."""
 STALLS = 6
 """Number of consecutive steps without progress that ends the search."""
 ERROR, LAMBDA, TRIAL, SHARES, CHANGES, HELD, VALUES, SQUARE, VECTORS, A, A1 = (*range(8), 10, 13, 16)
-"""Rows of the room: error along the basis, λ, coordinates tried, shares and their changes, 1.0 for joints that
-are held, eigenvalues; then three rows each of A·Aᵀ, its eigenvectors, A and its derivative."""
+"""Rows of the room: error along the basis, λ, coordinates tried, shares and their changes, 1.0 for joints
+that are held, eigenvalues; then three rows each of A·Aᵀ, its eigenvectors, A and its derivative."""
 ROOM = 19
 """Number of these rows."""
 
@@ -81,7 +83,7 @@ def descend_to(arm: PointArm, goal: Array, q: Array, work: DerivativeWork, room:
             mu = 1e-6 if mu < 1e-6 else mu * 8.0
         if not helped:
             break
-        stalls = stalls + 1 if tried > 0.995 * error else 0
+        stalls = stalls + 1 if tried > PROGRESS * error else 0
         mu *= 0.1
         for i in range(n):
             q[i] = trial[i]

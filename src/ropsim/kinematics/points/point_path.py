@@ -1,6 +1,7 @@
 """Joint coordinates along a path of the TCP of an arm with few axes, whatever the orientation."""
 
 import numpy as np
+import numpy.typing as npt
 
 from ropsim.kinematics.chain.forward import frames_batch
 from ropsim.kinematics.points.point_arm import PointShape, point_shape
@@ -11,14 +12,16 @@ from ropsim.kinematics.solutions.polish import POSE_SLACK, TASK_SLACK
 from ropsim.model import BASE_LINK, RobotModel, held_arm
 from ropsim.spatial import Array, Pose
 
+Bools = npt.NDArray[np.bool_]
+
 
 def followed_points(
     robot: RobotModel, s: Array, points: Array, q_start: Array, X_MT: Pose, tool: Array
 ) -> tuple[Array, Array] | None:
-    """Return joint coordinates (k, n) along a path of the TCP, and their derivatives by its parameter (2, k, n).
+    """Return joint coordinates (k, n) along a path of the TCP, and their derivatives (2, k, n).
 
-    The branch of the start is kept. Of an arm with joints to spare each joint moves as little as can be: of all
-    joint rates those with the least sum of squares, as shares of the greatest speeds of the joints.
+    The branch of the start is kept. Of an arm with joints to spare each joint moves as little as can be: of
+    all joint rates those with the least sum of squares, as shares of the greatest speeds of the joints.
 
     Args:
         robot: for which `chooses_points_only` holds; its external axes stand still.
@@ -26,7 +29,8 @@ def followed_points(
         points: of the TCP there in the base frame [m], shape (k, 3).
         q_start: joint coordinates at the first of them [rad | m], shape (n,).
         X_MT: the tool.
-        tool: first and second derivatives of the TCP, of which the first three numbers count, shape (2, k, 6).
+        tool: first and second derivatives of the TCP by the parameter, of which the first three numbers
+            count, shape (2, k, 6).
 
     Returns:
         None where a point is not reached from the one before it, or is near a singularity.
@@ -111,6 +115,8 @@ def allowed(shape: PointShape) -> tuple[float, float]:
     return POSE_SLACK if shape.is_flat else TASK_SLACK, POSE_SLACK if shape.rank == 3 else TASK_SLACK
 
 
-def reached(shape: PointShape, misses: Array) -> Array:
-    """Return which rows of what is left along the basis and in all [m], shape (k, 2), are none, shape (k,)."""
-    return np.asarray((misses <= allowed(shape)).all(axis=1))
+def reached(shape: PointShape, misses: Array) -> Bools:
+    """Return at which rows of `searched` nothing is left, shape (k,); misses [m], shape (k, 2)."""
+    along, in_all = allowed(shape)
+    there: Bools = (misses[:, 0] <= along) & (misses[:, 1] <= in_all)
+    return there

@@ -1,4 +1,4 @@
-"""Joints along a path of the TCP whatever the orientation, with their derivatives, in loops that numba compiles.
+"""Joints along a path of the TCP whatever the orientation, with derivatives, in loops that numba compiles.
 
 From row to row they are integrated by the two-derivative formula of fourth order as in `followed_kernel`.
 """
@@ -6,7 +6,6 @@ From row to row they are integrated by the two-derivative formula of fourth orde
 from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.kinematics.chain.path_derivatives_kernel import DerivativeWork, column_changes
 from ropsim.kinematics.points.point_kernel import (
-    A,
     A1,
     CHANGES,
     ERROR,
@@ -14,6 +13,7 @@ from ropsim.kinematics.points.point_kernel import (
     LAMBDA,
     SHARES,
     VALUES,
+    A,
     PointArm,
     descend_to,
     least_shares,

@@ -5,7 +5,6 @@ from math import sqrt
 from ropsim.codegen import Array1, Array2, kernel
 from ropsim.kinematics.chain.path_derivatives_kernel import DerivativeWork
 from ropsim.kinematics.points.point_kernel import (
-    A,
     CHANGES,
     HELD,
     LONGEST_STEP,
@@ -13,6 +12,7 @@ from ropsim.kinematics.points.point_kernel import (
     TRIAL,
     VALUES,
     VECTORS,
+    A,
     PointArm,
     descend_to,
     least_shares,
@@ -72,9 +72,9 @@ def approach_rows(
     rounds: int,
     misses: Array2,
 ) -> None:
-    """Bring each row of Q (k, n), that reaches the goal, as near to other coordinates as it comes within bounds.
+    """Bring each row of Q (k, n), which reaches the goal, as near to `near` as it comes within bounds.
 
-    Along what the point leaves free the shares of the distance to `near` are lessened step by step.
+    Along what the point leaves free the shares of the distance are lessened step by step.
 
     Args:
         arm: the arm.

@@ -28,6 +28,11 @@ def eigenvectors(d: int, S: Array, U: Array, w: Array) -> None:
             for b in range(a + 1, d):
                 if S[a, b] != 0.0:
                     _turn(d, S, U, a, b)
+    _sort(d, S, U, w)
+
+
+def _sort(d: int, S: Array, U: Array, w: Array) -> None:
+    """Write the diagonal of S to w, the greatest number first, with the columns of U in that order."""
     for a in range(d):
         w[a] = S[a, a]
     for a in range(d - 1):
