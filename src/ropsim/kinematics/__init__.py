@@ -55,6 +55,14 @@ from ropsim.kinematics.path_derivatives import followed as followed
 from ropsim.kinematics.path_derivatives import has_path_derivatives as has_path_derivatives
 from ropsim.kinematics.path_derivatives import is_followed as is_followed
 from ropsim.kinematics.path_derivatives import path_derivatives as path_derivatives
+from ropsim.kinematics.points.point_answers import PointAnswers as PointAnswers
+from ropsim.kinematics.points.point_answers import point_answers as point_answers
+from ropsim.kinematics.points.point_arm import Places as Places
+from ropsim.kinematics.points.point_arm import chooses_points_only as chooses_points_only
+from ropsim.kinematics.points.point_arm import spare_joints as spare_joints
+from ropsim.kinematics.points.point_path import followed_points as followed_points
+from ropsim.kinematics.points.point_path import points_continued as points_continued
+from ropsim.kinematics.points.point_path import points_near as points_near
 from ropsim.kinematics.recognition import classes_missed as classes_missed
 from ropsim.kinematics.recognition import redundant_solver_of as redundant_solver_of
 from ropsim.kinematics.recognition import solver_of as solver_of

@@ -106,7 +106,7 @@ def row_derivatives(
     along = _dot(n, null, first) / square
     for i in range(n):
         first[i] -= along * null[i]
-    _column_changes(chain, spread, work, first)
+    column_changes(chain, spread, work, first)
     for r in range(6):
         total = 0.0
         for i in range(n):
@@ -228,7 +228,7 @@ def solve_pivots(solved: Array, vectors: Array, n: int, out: Array) -> None:
             out[int(pivots[r])] = total
 
 
-def _column_changes(chain: Array, spread: Array, work: DerivativeWork, rates: Array) -> None:
+def column_changes(chain: Array, spread: Array, work: DerivativeWork, rates: Array) -> None:
     """Write the derivative of the Jacobian along joint rates (n,) behind the Jacobian.
 
     Frame by frame its velocity v and angular velocity w add up; the axis z of a step changes by w × z.

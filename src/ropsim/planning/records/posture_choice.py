@@ -141,6 +141,18 @@ def choose(
     return Choice(branches[rows[shortest]], keeps_posture=bool(same))
 
 
+def choose_nearest(
+    robot: RobotModel, branches: Array, q_start: Array, limits: JointRange, motion: JointMotionLimits
+) -> Choice | None:
+    """Return the joint coordinates that are reached soonest, in any posture; arguments as in `choose`."""
+    del robot
+    inside = np.flatnonzero(limits.inside(branches))
+    if not len(inside):
+        return None
+    shortest = int(np.argmin(durations(q_start, branches[inside], motion)))
+    return Choice(branches[inside[shortest]], keeps_posture=True)
+
+
 def _start_rows(robot: RobotModel, q_start: Array) -> list[int]:
     """Return the rows of the postures of the start; a singular one has the rows on either side of it."""
     standing, rows = _postures(robot)
