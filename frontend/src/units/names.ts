@@ -14,6 +14,7 @@ const JOINT_QUANTITIES: Readonly<Record<string, string>> = {
   q_ref: 'commanded position',
   qd_ref: 'commanded speed',
   q_error: 'position error',
+  power: 'power drawn',
 }
 
 const OTHERS: Readonly<Record<string, string>> = {

@@ -27,6 +27,7 @@ const SHOWN: Readonly<Record<string, ShownUnit>> = {
   N: { unit: 'N', factor: 1, digits: 1 },
   A: { unit: 'A', factor: 1, digits: 2 },
   V: { unit: 'V', factor: 1, digits: 1 },
+  W: { unit: 'W', factor: 1, digits: 1 },
   Pa: { unit: 'bar', factor: 1e-5, digits: 1 },
   kg: { unit: 'kg', factor: 1, digits: 2 },
   s: { unit: 's', factor: 1, digits: 2 },

@@ -7,6 +7,7 @@ from ropsim.controller import CompiledLaw, PythonLaw
 from ropsim.flow import JointReference, Recording, RunFacts
 from ropsim.model import ROBOT, ControllerModel, Payload, RobotModel
 from ropsim.simulation.recording.channels import joint_channels
+from ropsim.simulation.recording.powers import drive_powers
 from ropsim.simulation.servo.checks import check_option
 from ropsim.simulation.servo.servo import Servo
 from ropsim.simulation.station.station_facts import station_facts, with_law
@@ -43,8 +44,8 @@ def simulate(
 ) -> Recording:
     """Return the recording of an arm that starts at rest and follows a reference.
 
-    Channels, shape (rows, n) with the joint names as columns: q, qd, tau, current, voltage, q_ref, qd_ref and
-    q_error. Row k is at time k · decimation / control_hz; row 0 is the start.
+    Channels, shape (rows, n) with the joint names as columns: q, qd, tau, current, voltage, q_ref, qd_ref,
+    q_error and power. Row k is at time k · decimation / control_hz; row 0 is the start.
 
     Args:
         robot: arm with drives.
@@ -72,6 +73,7 @@ def simulate(
         state = servo.run(state, part, options.payload, recorder)
     log = recorder.channels()
     log["q_error"] = log["q_ref"] - log["q"]
+    log |= drive_powers(robot, log)
     hz = servo.control_hz
     station = with_law(station_facts(ROBOT, robot, controller, servo.plant_steps), controller, options.law)
     facts = RunFacts(__version__, record_hz=hz / recorder.decimation, stations=(station,))

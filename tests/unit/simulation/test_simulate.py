@@ -12,7 +12,7 @@ from ropsim.simulation import NoDrivesError, OptionError, SimulationOptions, sim
 from support.arms import drive, random_arm
 from support.servo_cases import GOAL, START, CascadeInPython, controller, puma, quintic, standing
 
-CHANNELS = {"q", "qd", "tau", "current", "voltage", "q_ref", "qd_ref", "q_error"}
+CHANNELS = {"q", "qd", "tau", "current", "voltage", "q_ref", "qd_ref", "q_error", "power"}
 
 
 def test_the_recording_has_all_channels_with_units_and_joint_names() -> None:

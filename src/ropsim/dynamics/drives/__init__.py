@@ -10,6 +10,7 @@ from ropsim.dynamics.drives.chain import DriveChain as DriveChain
 from ropsim.dynamics.drives.chain import chain_of as chain_of
 from ropsim.dynamics.drives.faults import drive_fault as drive_fault
 from ropsim.dynamics.drives.faults import range_fault as range_fault
+from ropsim.dynamics.drives.power import drive_power as drive_power
 from ropsim.dynamics.drives.steady import SteadyDrive as SteadyDrive
 from ropsim.dynamics.drives.steady import command_band as command_band
 from ropsim.dynamics.drives.steady import command_limit as command_limit

@@ -8,7 +8,7 @@ from math import copysign
 
 from ropsim.codegen import maximum, minimum
 from ropsim.dynamics.drives.block import Carried, Numbers, Shaft, Steady, TransmissionBlock
-from ropsim.dynamics.drives.elastic_gear import ROTOR_STATES, trace_rotor
+from ropsim.dynamics.drives.elastic_gear import ROTOR_STATES, rotor_speed, trace_rotor
 from ropsim.model import BacklashGear
 
 
@@ -39,4 +39,5 @@ BACKLASH_GEAR = TransmissionBlock(
     ROTOR_STATES,
     _trace,
     _rest,
+    rotor_speed,
 )

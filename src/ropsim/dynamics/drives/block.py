@@ -4,7 +4,7 @@ A block is static: it holds functions, not numbers. The numbers of one drive are
 `model`; formulas read them as traced scalars, in the order in which the block names them.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from enum import Enum
 from math import inf
 from typing import Any, NamedTuple
@@ -12,8 +12,12 @@ from typing import Any, NamedTuple
 from ropsim.codegen import Scalar
 from ropsim.core import frozen_dataclass
 from ropsim.model import InputKind
+from ropsim.spatial import Array
 
 Numbers = Sequence[Scalar]
+Recorded = Mapping[str, Array]
+"""What is recorded of an axis, by quantity: coordinate `q`, speed `qd`, and the columns of its drive, shape
+(rows,) each."""
 
 
 class Column(NamedTuple):
@@ -126,6 +130,8 @@ class MotorBlock:
         inertia: `numbers` to the rotor inertia.
         steady: `(record, torque, shaft speed)` to the states, and the input, that go on giving the torque.
         pole: `record` to the rate at which its torque follows its input [rad/s].
+        power: `(record, recorded columns, shaft speed)` to the power that it draws from its supply [W],
+            negative where it gives back.
         keeping: `(numbers, value, shaft speed)` to the input that would keep its first state at a value; None
             for a motor without states, or one whose amplifier does not read it.
         most: `record` to the largest torque at standstill for any input; None if the amplifier alone limits
@@ -140,6 +146,7 @@ class MotorBlock:
     inertia: Callable[[Numbers], Scalar]
     steady: Callable[[Any, float, float], Steady]
     pole: Callable[[Any], float]
+    power: Callable[[Any, Recorded, Array], Array]
     keeping: Callable[[Numbers, Scalar, Scalar], Scalar] | None = None
     most: Callable[[Any], float] | None = None
 
@@ -245,6 +252,7 @@ class TransmissionBlock:
         states: its states.
         trace: `(numbers, states, shaft)` to its effect on the joint.
         rest: `(record, joint coordinate, effort)` to its states, and the motor torque, at standstill.
+        speed: `(record, recorded columns)` to the speed of the shaft of the motor [rad/s | m/s].
     """
 
     numbers: tuple[str, ...]
@@ -252,3 +260,4 @@ class TransmissionBlock:
     states: tuple[Column, ...]
     trace: Callable[[Numbers, Numbers, Shaft], Carried]
     rest: Callable[[Any, float, float], Steady]
+    speed: Callable[[Any, Recorded], Array]

@@ -6,6 +6,7 @@ IEEE Trans. Industry Applications 34 (1998), 133-141.
 
 from ropsim.codegen import Scalar, maximum, minimum
 from ropsim.dynamics.drives.block import Column, MotorBlock, Movement, Numbers, Steady, Torque
+from ropsim.dynamics.drives.dc_motor import electric_power
 from ropsim.model import CurrentLoopMotor, InputKind
 
 
@@ -57,5 +58,6 @@ CURRENT_LOOP = MotorBlock(
     inertia=lambda p: p[4],
     steady=_steady,
     pole=lambda motor: float(motor.bandwidth),
+    power=electric_power,
     most=_most,
 )

@@ -1,8 +1,19 @@
 """A permanent-magnet DC motor: its current is a state."""
 
+import numpy as np
+
 from ropsim.codegen import Scalar
-from ropsim.dynamics.drives.block import Column, MotorBlock, Movement, Numbers, Steady, Torque
-from ropsim.model import DcMotor, InputKind
+from ropsim.dynamics.drives.block import (
+    Column,
+    MotorBlock,
+    Movement,
+    Numbers,
+    Recorded,
+    Steady,
+    Torque,
+)
+from ropsim.model import CurrentLoopMotor, DcMotor, InputKind
+from ropsim.spatial import Array
 
 
 def _trace(p: Numbers, states: Numbers, voltage: Scalar, shaft: Movement) -> Torque:
@@ -25,6 +36,12 @@ def _steady(motor: DcMotor, torque: float, speed: float) -> Steady:
     return Steady((current,), motor.resistance * current + motor.back_emf_constant * speed)
 
 
+def electric_power(motor: DcMotor | CurrentLoopMotor, columns: Recorded, speed: Array) -> Array:
+    """Return R·i² + Ke·i·ω: what its voltage u brings, u·i, but for what the winding keeps, d(L·i²/2)/dt."""
+    current = columns["current"]
+    return np.asarray(current * (motor.resistance * current + motor.back_emf_constant * speed))
+
+
 DC_MOTOR = MotorBlock(
     takes=InputKind.VOLTAGE,
     numbers=("torque_constant", "back_emf_constant", "resistance", "inductance", "rotor_inertia"),
@@ -34,5 +51,6 @@ DC_MOTOR = MotorBlock(
     inertia=lambda p: p[4],
     steady=_steady,
     pole=lambda motor: float(motor.resistance / motor.inductance),
+    power=electric_power,
     keeping=_keeping,
 )

@@ -4,9 +4,21 @@ M. W. Spong: Modeling and control of elastic joint robots, ASME J. Dyn. Sys. Mea
 310-319: a spring lies between rotor and link, and the turning of the rotor with its link is left out.
 """
 
+import numpy as np
+
 from ropsim.codegen import Scalar
-from ropsim.dynamics.drives.block import Carried, Column, Movement, Numbers, Shaft, Steady, TransmissionBlock
-from ropsim.model import ElasticGear
+from ropsim.dynamics.drives.block import (
+    Carried,
+    Column,
+    Movement,
+    Numbers,
+    Recorded,
+    Shaft,
+    Steady,
+    TransmissionBlock,
+)
+from ropsim.model import Elastic, ElasticGear
+from ropsim.spatial import Array
 
 ROTOR_STATES = (
     Column("motor_coordinate", "{q}", "motor angle over gear ratio"),
@@ -34,6 +46,11 @@ def trace_rotor(shaft: Shaft, ratio: Scalar, states: Numbers, effort: Scalar) ->
     return Carried(effort, None, None, (*motor.rates, omega, rate, *rubbing.rates), given)
 
 
+def rotor_speed(gear: Elastic, columns: Recorded) -> Array:
+    """Return the speed of a rotor with states of its own [rad/s], from what is recorded."""
+    return np.asarray(gear.ratio * columns["motor_speed"])
+
+
 def _trace(p: Numbers, states: Numbers, shaft: Shaft) -> Carried:
     """Return the torque of the spring, k·(θ/G - q) + d·(ω/G - q̇)."""
     ratio, stiffness, damping = p
@@ -52,4 +69,5 @@ ELASTIC_GEAR = TransmissionBlock(
     ROTOR_STATES,
     _trace,
     _rest,
+    rotor_speed,
 )

@@ -1,7 +1,18 @@
 """A rigid gear: motor and joint move as one."""
 
-from ropsim.dynamics.drives.block import Carried, Movement, Numbers, Shaft, Steady, TransmissionBlock
+import numpy as np
+
+from ropsim.dynamics.drives.block import (
+    Carried,
+    Movement,
+    Numbers,
+    Recorded,
+    Shaft,
+    Steady,
+    TransmissionBlock,
+)
 from ropsim.model import Gear
+from ropsim.spatial import Array
 
 
 def _trace(p: Numbers, states: Numbers, shaft: Shaft) -> Carried:
@@ -19,4 +30,8 @@ def _rest(gear: Gear, q: float, effort: float) -> Steady:
     return Steady((), effort / gear.ratio)
 
 
-GEAR = TransmissionBlock(("ratio",), (), (), _trace, _rest)
+def _speed(gear: Gear, columns: Recorded) -> Array:
+    return np.asarray(gear.ratio * columns["qd"])
+
+
+GEAR = TransmissionBlock(("ratio",), (), (), _trace, _rest, _speed)

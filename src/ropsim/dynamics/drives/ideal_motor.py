@@ -2,9 +2,12 @@
 
 from math import inf
 
+import numpy as np
+
 from ropsim.codegen import Scalar
-from ropsim.dynamics.drives.block import MotorBlock, Movement, Numbers, Steady, Torque
+from ropsim.dynamics.drives.block import MotorBlock, Movement, Numbers, Recorded, Steady, Torque
 from ropsim.model import IdealMotor, InputKind
+from ropsim.spatial import Array
 
 
 def _trace(p: Numbers, states: Numbers, effort: Scalar, shaft: Movement) -> Torque:
@@ -22,6 +25,12 @@ def _pole(motor: IdealMotor) -> float:
     return inf
 
 
+def _power(motor: IdealMotor, columns: Recorded, speed: Array) -> Array:
+    """Return what its shaft brings, τ·ω: it loses nothing."""
+    del motor
+    return np.asarray(columns["command"] * speed)
+
+
 IDEAL_MOTOR = MotorBlock(
     takes=InputKind.EFFORT,
     numbers=("rotor_inertia",),
@@ -31,4 +40,5 @@ IDEAL_MOTOR = MotorBlock(
     inertia=lambda p: p[0],
     steady=_steady,
     pole=_pole,
+    power=_power,
 )

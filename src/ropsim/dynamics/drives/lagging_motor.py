@@ -1,8 +1,19 @@
 """A source of torque or force that follows its command with a lag: its torque is a state."""
 
+import numpy as np
+
 from ropsim.codegen import Scalar
-from ropsim.dynamics.drives.block import Column, MotorBlock, Movement, Numbers, Steady, Torque
+from ropsim.dynamics.drives.block import (
+    Column,
+    MotorBlock,
+    Movement,
+    Numbers,
+    Recorded,
+    Steady,
+    Torque,
+)
 from ropsim.model import InputKind, LaggingMotor
+from ropsim.spatial import Array
 
 
 def _trace(p: Numbers, states: Numbers, effort: Scalar, shaft: Movement) -> Torque:
@@ -17,6 +28,12 @@ def _steady(motor: LaggingMotor, torque: float, speed: float) -> Steady:
     return Steady((torque,), torque)
 
 
+def _power(motor: LaggingMotor, columns: Recorded, speed: Array) -> Array:
+    """Return what its shaft brings, τ·ω: it loses nothing."""
+    del motor
+    return np.asarray(columns["motor_torque"] * speed)
+
+
 LAGGING_MOTOR = MotorBlock(
     takes=InputKind.EFFORT,
     numbers=("rotor_inertia", "bandwidth"),
@@ -26,4 +43,5 @@ LAGGING_MOTOR = MotorBlock(
     inertia=lambda p: p[0],
     steady=_steady,
     pole=lambda motor: float(motor.bandwidth),
+    power=_power,
 )

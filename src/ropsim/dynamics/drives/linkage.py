@@ -4,9 +4,20 @@ The triangle of pins and axis and its derivatives: `model.Linkage`. Mass that mo
 energy m·(G·q̇)²/2, so that the joint feels m·G² as inertia and m·G·G'·q̇² besides (Lagrange).
 """
 
+import numpy as np
+
 from ropsim.codegen import Scalar, cos, sin, sqrt
-from ropsim.dynamics.drives.block import Carried, Movement, Numbers, Shaft, Steady, TransmissionBlock
+from ropsim.dynamics.drives.block import (
+    Carried,
+    Movement,
+    Numbers,
+    Recorded,
+    Shaft,
+    Steady,
+    TransmissionBlock,
+)
 from ropsim.model import Linkage
+from ropsim.spatial import Array
 
 
 def _trace(p: Numbers, states: Numbers, shaft: Shaft) -> Carried:
@@ -31,10 +42,18 @@ def _rest(gear: Linkage, q: float, effort: float) -> Steady:
     return Steady((), effort / ratio if ratio else 0.0)
 
 
+def _speed(gear: Linkage, columns: Recorded) -> Array:
+    """Return the speed of the rod, G·q̇ [m/s]."""
+    turn = columns["q"] + gear.angle
+    length = np.sqrt(gear.squares - 2.0 * gear.product * np.cos(turn))
+    return np.asarray(gear.product * np.sin(turn) / length * columns["qd"])
+
+
 LINKAGE = TransmissionBlock(
     ("sense", "product", "squares", "angle", "retracted_length"),
     ("product", "retracted_length"),
     (),
     _trace,
     _rest,
+    _speed,
 )

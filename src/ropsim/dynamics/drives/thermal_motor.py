@@ -3,9 +3,20 @@
 R. Krishnan: Electric Motor Drives, Prentice Hall 2001; two bodies, as data sheets of servo motors have them.
 """
 
+import numpy as np
+
 from ropsim.codegen import Scalar
-from ropsim.dynamics.drives.block import Column, MotorBlock, Movement, Numbers, Steady, Torque
+from ropsim.dynamics.drives.block import (
+    Column,
+    MotorBlock,
+    Movement,
+    Numbers,
+    Recorded,
+    Steady,
+    Torque,
+)
 from ropsim.model import InputKind, ThermalDcMotor
+from ropsim.spatial import Array
 
 
 def _trace(p: Numbers, states: Numbers, voltage: Scalar, shaft: Movement) -> Torque:
@@ -27,6 +38,14 @@ def _steady(motor: ThermalDcMotor, torque: float, speed: float) -> Steady:
     current = torque / (motor.torque_constant * weaker)
     resistance = motor.resistance * (1.0 + motor.resistance_drift * rise)
     return Steady((current, rise, rise), resistance * current + motor.back_emf_constant * weaker * speed)
+
+
+def _power(motor: ThermalDcMotor, columns: Recorded, speed: Array) -> Array:
+    """Return R·i² + Ke·i·ω with the constants of a motor as warm as it is."""
+    current = columns["current"]
+    resistance = motor.resistance * (1.0 + motor.resistance_drift * columns["winding_rise"])
+    back_emf = motor.back_emf_constant * (1.0 + motor.torque_drift * columns["housing_rise"])
+    return np.asarray(current * (resistance * current + back_emf * speed))
 
 
 THERMAL_MOTOR = MotorBlock(
@@ -62,4 +81,5 @@ THERMAL_MOTOR = MotorBlock(
     inertia=lambda p: p[4],
     steady=_steady,
     pole=lambda motor: float(motor.resistance / motor.inductance),
+    power=_power,
 )

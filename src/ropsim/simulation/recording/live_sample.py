@@ -13,6 +13,7 @@ from ropsim.simulation.recording.channels import (
     pose_channels,
     track_channel,
 )
+from ropsim.simulation.recording.powers import drive_powers
 from ropsim.simulation.records.track import Track
 from ropsim.simulation.state.station_run import StationRun
 from ropsim.simulation.state.watch import RunView
@@ -52,6 +53,7 @@ def _station_sample(at: StationRun, tick: float) -> dict[str, Channel]:
     robot = at.station.robot
     log = {name: values[np.newaxis] for name, values in at.plant.at(tick).items()}
     log["q_error"] = log["q_ref"] - log["q"]
+    log |= drive_powers(robot, log)
     X_MT, name = at.tool_frames.at(tick).matrix(), at.station.name
     poses: dict[str, Channel] = {}
     for kind, one in (("attained", "q"), ("command", "q_ref")):

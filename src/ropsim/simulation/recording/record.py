@@ -44,6 +44,7 @@ from ropsim.simulation.recording.channels import (
 )
 from ropsim.simulation.recording.path_corrections import corrections, without_corrections
 from ropsim.simulation.recording.path_speeds import path_speeds
+from ropsim.simulation.recording.powers import drive_powers
 from ropsim.simulation.records.move_span import PathSpan
 from ropsim.simulation.records.tally_kernel import greatest
 from ropsim.simulation.records.track import Track
@@ -166,6 +167,7 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
     """Return the channels of a station at ticks of the cell's clock, without its name before theirs."""
     own, ticks = logged["tick"], rows / at.cell_ticks
     log = {name: values for name, values in logged.items() if name != "tick"}
+    log |= drive_powers(at.station.robot, log)
     if not np.array_equal(own, ticks):  # it is recorded at other ticks: linear between two rows
         log = {
             name: np.column_stack([np.interp(ticks, own, one) for one in values.T])

@@ -8,7 +8,13 @@ from ropsim.views.pack.columns import Body, Code, smooth, steps
 
 QUATERNION_STEP = 2.0**-15
 
-_STEPS = (("rad/s", 1e-4), ("m/s", 1e-4), ("rad", 1e-6), ("m", 1e-6), ("N", 1e-3), ("A", 1e-3), ("V", 1e-3))
+_STEPS = (
+    ("rad/s", 1e-4),
+    ("m/s", 1e-4),
+    ("rad", 1e-6),
+    ("m", 1e-6),
+    *((unit, 1e-3) for unit in ("N", "A", "V", "W")),
+)
 """Coarsest rounding by unit; `rad | m` counts as its first one. All are below the resolution of a plot."""
 
 

@@ -14,6 +14,7 @@ from ropsim.dynamics.drives.hydraulics.servo_valve import (
     crossing,
     flow_into,
     opening_for,
+    supply_power,
     trace_flows,
     trace_spool,
 )
@@ -140,5 +141,6 @@ HYDRAULIC_CYLINDER = MotorBlock(
     inertia=lambda p: p[6],
     steady=_steady,
     pole=lambda cylinder: float(cylinder.natural_frequency),
+    power=supply_power,
     most=_most,
 )

@@ -15,6 +15,7 @@ from ropsim.dynamics.drives.hydraulics.servo_valve import (
     crossing,
     flow_into,
     opening_for,
+    supply_power,
     trace_flows,
     trace_spool,
 )
@@ -59,5 +60,6 @@ HYDRAULIC_MOTOR = MotorBlock(
     inertia=lambda p: p[3],
     steady=steady_motor,
     pole=lambda motor: float(motor.natural_frequency),
+    power=supply_power,
     most=most_torque,
 )

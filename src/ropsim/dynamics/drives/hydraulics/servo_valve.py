@@ -6,10 +6,16 @@ H. E. Merritt: Hydraulic Control Systems, Wiley 1967, chapter 5.
 from collections.abc import Callable
 from math import copysign
 from math import sqrt as root
+from typing import TypeVar
+
+import numpy as np
 
 from ropsim.codegen import Scalar, maximum, sqrt
-from ropsim.dynamics.drives.block import Column, Numbers
+from ropsim.dynamics.drives.block import Column, Numbers, Recorded
 from ropsim.model import Hydraulic
+from ropsim.spatial import Array
+
+_Opening = TypeVar("_Opening", float, Array)
 
 LAMINAR = 1e5
 """Below this fall of pressure [Pa] the flow through an edge goes over from its root to a straight line."""
@@ -111,6 +117,23 @@ def flow_into(record: Hydraulic, pressure: float, opening: float) -> float:
     return edge * (_edge(record, opening) * into - _edge(record, -opening) * out)
 
 
+def supply_power(record: Hydraulic, columns: Recorded, speed: Array) -> Array:
+    """Return the supply pressure times what flows out of the supply through both edges [W].
+
+    Args:
+        record: with the valve.
+        columns: `VALVE_STATES`, shape (rows,) each.
+        speed: of the shaft; the flow through the edges does not depend on it.
+    """
+    del speed
+    opening = columns["opening"]
+    falls = [record.supply_pressure - columns[one] for one in ("pressure_a", "pressure_b")]
+    roots = [fall / np.sqrt(np.sqrt(fall * fall + LAMINAR * LAMINAR)) for fall in falls]
+    edge = record.rated_flow * root(2.0 / record.rated_pressure_drop)
+    flow = edge * (_edge(record, opening) * roots[0] + _edge(record, -opening) * roots[1])
+    return np.asarray(record.supply_pressure * flow)
+
+
 def crossing(grows: Callable[[float], float], most: float) -> float:
     """Return where a function that grows is 0, by halving.
 
@@ -132,11 +155,12 @@ def _least(record: Hydraulic) -> float:
     return (middle + root(middle * middle + 4.0 * (1.0 - leak) * leak * lap)) / (2.0 * (1.0 - leak))
 
 
-def _edge(record: Hydraulic, opening: float) -> float:
+def _edge(record: Hydraulic, opening: _Opening) -> _Opening:
     """Return how far an edge lets flow through; see `_trace_edge`."""
     least, beyond = _least(record), (opening - record.overlap) / (1.0 - record.overlap)
-    closed = least + LEAST_CLOSED
-    return (max(beyond, 0.0) + least * closed / (closed + max(-beyond, 0.0))) / (1.0 + least)
+    closed, size = least + LEAST_CLOSED, abs(beyond)
+    opened, shut = 0.5 * (size + beyond), 0.5 * (size - beyond)
+    return (opened + least * closed / (closed + shut)) / (1.0 + least)
 
 
 def _root(fall: Scalar) -> Scalar:

@@ -10,6 +10,7 @@ from ropsim.dynamics.drives.hydraulics.servo_valve import (
     VALVE_NUMBERS,
     VALVE_POSITIVE,
     VALVE_STATES,
+    supply_power,
     trace_flows,
     trace_spool,
 )
@@ -50,5 +51,6 @@ HYDRAULIC_VANE = MotorBlock(
     inertia=lambda p: p[5],
     steady=steady_motor,
     pole=lambda motor: float(motor.natural_frequency),
+    power=supply_power,
     most=most_torque,
 )
