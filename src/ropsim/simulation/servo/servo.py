@@ -106,7 +106,7 @@ class Servo:
         inner = compiled_half(chosen, np.zeros(robot.n))
         check_law(inner, robot)
         kernel = _kernel(robot, inner, engine or default_engine(), law)
-        layout = StateLayout.of(structure_of(robot).drives, inner.traits)
+        layout = StateLayout.of(structure_of(robot), inner.traits)
         steps = plant_steps_of(robot, controller.rates)
         rates = replace(controller.rates, plant_steps=steps)
         bench = _Bench.of(kernel, inner, layout, rates, robot)
