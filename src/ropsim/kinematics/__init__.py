@@ -16,11 +16,13 @@ from ropsim.kinematics.bodies.rays import nearest_along as nearest_along
 from ropsim.kinematics.bodies.supports import Standing as Standing
 from ropsim.kinematics.bodies.supports import height_above as height_above
 from ropsim.kinematics.bodies.supports import standings as standings
+from ropsim.kinematics.chain.arm_arrays import turning_axes as turning_axes
 from ropsim.kinematics.chain.arrays import ChainArrays as ChainArrays
 from ropsim.kinematics.chain.arrays import chain_arrays as chain_arrays
-from ropsim.kinematics.chain.arrays import turning_axes as turning_axes
 from ropsim.kinematics.chain.chain_kernel import POSES as POSES
 from ropsim.kinematics.chain.chain_kernel import forward_rows as forward_rows
+from ropsim.kinematics.chain.closed_motion import JointMotion as JointMotion
+from ropsim.kinematics.chain.closed_motion import joint_motion as joint_motion
 from ropsim.kinematics.chain.forward import forward as forward
 from ropsim.kinematics.chain.forward import forward_batch as forward_batch
 from ropsim.kinematics.chain.forward import frames_batch as frames_batch

@@ -6,7 +6,8 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.kinematics.chain.arrays import chain_arrays, joint_rows, joint_vector, pose_rows, turning_axes
+from ropsim.kinematics.chain.arm_arrays import arm_arrays, turning_axes
+from ropsim.kinematics.chain.arrays import chain_arrays, joint_rows, joint_vector, pose_rows
 from ropsim.kinematics.chain.forward import forward_batch
 from ropsim.kinematics.diagnostics import NotFiniteError
 from ropsim.kinematics.recognition import redundant_solver_of, solver_of
@@ -353,7 +354,7 @@ def _next_to(robot: RobotModel, desk: _Desk, T: Array, near: Array) -> Array | N
     if not np.abs(forward_batch(robot, near[np.newaxis])[0] - T).max() <= NEIGHBOUR:
         return None
     start = near[np.newaxis, np.newaxis]
-    q: Array = polished(chain_arrays(robot), T[np.newaxis], start, desk.solver.slack)[0, 0]
+    q: Array = polished(arm_arrays(robot), T[np.newaxis], start, desk.solver.slack)[0, 0]
     return None if np.isnan(q[0]) else q
 
 

@@ -164,6 +164,7 @@ from ropsim.model.mechanism.links import JointType as JointType
 from ropsim.model.mechanism.links import Link as Link
 from ropsim.model.mechanism.links import LoopCut as LoopCut
 from ropsim.model.mechanism.mechanism import Mechanism as Mechanism
+from ropsim.model.mechanism.mechanism import first_coordinates as first_coordinates
 from ropsim.model.mechanism.mechanism_check import MechanismError as MechanismError
 from ropsim.model.mechanism.mechanism_check import check_counts as check_counts
 from ropsim.model.mechanism.mechanism_check import check_mechanism as check_mechanism

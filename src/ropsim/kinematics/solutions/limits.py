@@ -3,7 +3,8 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.kinematics.chain.arrays import joint_vector, turning_axes
+from ropsim.kinematics.chain.arm_arrays import turning_axes
+from ropsim.kinematics.chain.arrays import joint_vector
 from ropsim.kinematics.solutions.result import NO_AXIS, LimitViolation
 from ropsim.kinematics.solutions.selection_kernel import LIMIT_SLACK
 from ropsim.model import RobotModel, coupled_limits

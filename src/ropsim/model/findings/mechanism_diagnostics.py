@@ -153,9 +153,8 @@ LOOP_NOT_SIMULATED = define(
     Severity.ERROR,
     "a closed chain that is cut can be placed, but not moved by a controller yet",
     """
-The bodies of closed chains with `LoopCut`s are placed and drawn, their passive coordinates found from the
-axes. Jacobian, inverse kinematics and equations of motion of such a mechanism are not computed, so it cannot
-be simulated. A chain whose coordinates are linear functions of the axes, such as a parallelogram, is
-described by couplings and simulated exactly.
+The bodies of closed chains with `LoopCut`s are placed, their passive coordinates found from the axes, and
+the arm has Jacobian and inverse kinematics. A chain whose coordinates are linear functions of the axes, such
+as a parallelogram, is described by couplings and simulated exactly.
 """,
 )
