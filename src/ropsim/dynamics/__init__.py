@@ -47,6 +47,12 @@ from ropsim.dynamics.loaded_arm import trace_loaded_inverse as trace_loaded_inve
 from ropsim.dynamics.loaded_arm import trace_loaded_links as trace_loaded_links
 from ropsim.dynamics.long_arms.long_arm import chain_acceleration_code as chain_acceleration_code
 from ropsim.dynamics.long_arms.long_arm import chain_numbers as chain_numbers
+from ropsim.dynamics.loops.free_motion import FreeMotion as FreeMotion
+from ropsim.dynamics.loops.free_motion import free_motion as free_motion
+from ropsim.dynamics.loops.plant_code import GAP as GAP
+from ropsim.dynamics.loops.plant_code import LoopState as LoopState
+from ropsim.dynamics.loops.plant_code import motion_code as motion_code
+from ropsim.dynamics.loops.plant_code import plant_formulas as plant_formulas
 from ropsim.dynamics.model_check import check_model as check_model
 from ropsim.dynamics.moved_masses import check_moved_masses as check_moved_masses
 from ropsim.dynamics.moved_masses import massless_axes as massless_axes

@@ -173,7 +173,7 @@ class _Seen:
     @classmethod
     def of(cls, robot: RobotModel, controller: ControllerModel, law: CompiledLaw, u: Array) -> "_Seen":
         layout, late = (
-            StateLayout.of(structure_of(robot).drives, law.traits),
+            StateLayout.of(structure_of(robot), law.traits),
             [0] * (4 + len(law.traits.sensed)),
         )
         for channel in sensing_of(controller, law).channels:

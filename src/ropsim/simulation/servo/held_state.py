@@ -32,7 +32,7 @@ def held_state(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Ar
         q: joint coordinates [rad | m], shape (n,).
         payload: tool and part.
     """
-    layout = StateLayout.of(structure_of(robot).drives, LawTraits())
+    layout = StateLayout.of(structure_of(robot), LawTraits())
     x, u = np.zeros(layout.integrated), np.empty(robot.n)
     x[: robot.n] = q
     for axis, held in enumerate(held_drives(robot, q, payload)):

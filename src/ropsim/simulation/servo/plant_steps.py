@@ -112,7 +112,7 @@ def fastest_pole(robot: RobotModel) -> float:
         MissingMassError: M590, no link has a mass.
     """
     robot = without_dead_zones(robot)
-    layout = StateLayout.of(structure_of(robot).drives, LawTraits())
+    layout = StateLayout.of(structure_of(robot), LawTraits())
     Q = np.vstack((robot.home, configurations(robot, _SAMPLES)))
     links = mass_matrices(robot, Q) - rotor_inertias(robot, Q)[:, :, np.newaxis] * np.eye(robot.n)
     poles = [_magnitudes(robot, layout, q, inertia) for q, inertia in zip(Q, links, strict=True)]

@@ -121,7 +121,7 @@ class Servo:
         kernel = _kernel(
             robot, inner, sensing if python_law is None else NO_SENSORS, engine or default_engine(), law
         )
-        layout = StateLayout.of(structure_of(robot).drives, inner.traits, sensing.kept)
+        layout = StateLayout.of(structure_of(robot), inner.traits, sensing.kept)
         steps = plant_steps_of(robot, controller.rates)
         rates = replace(controller.rates, plant_steps=steps)
         numbers = sensor_rows(controller, inner)

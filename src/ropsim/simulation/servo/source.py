@@ -34,18 +34,18 @@ def servo_functions(
 def _slice_text(structure: ArmStructure, law: CompiledLaw, sensing: Sensing) -> str:
     """Return `run_slice`: law, amplifiers and `plant_steps` Runge-Kutta steps for every tick, log and tally.
 
-    The steps are as in the classical method. The law receives the values at the beginning of a tick: the
-    reference in force and the measurement. At its end the next row of the reference comes into force. A row
-    of the log holds the values at that time, and the output of the amplifiers over the tick. `values` is the
-    state vector; `ref`, `pending` and `memory` are parts of it by rows; `par` are the parameters of the law,
-    and below them the rows of its model; `frame` (4 + r, n), `stages` (5, m) and `now` (w,) are work arrays,
-    the last r rows of the frame for what the law reads of the drives and for its own work. Every tick enters
-    the tally (4, w): `ends` (2, n) are the ranges of the joints, `full` (w,) are the values that count as
-    limits; for pressures, the judged quantity is the distance below the limit. Arguments that rarely change
-    come first.
+    The steps are as in the classical method; closed chains are settled after each. The law receives the
+    values at the beginning of a tick: the reference in force and the measurement. At its end the next row
+    of the reference comes into force. A row of the log holds the values at that time, and the output of
+    the amplifiers over the tick. `values` is the state vector; `ref`, `pending` and `memory` are parts of
+    it by rows; `par` are the parameters of the law, and below them the rows of its model; `frame` (4 + r,
+    n), `stages` (5, m) and `now` (w,) are work arrays, the last r rows of the frame for what the law
+    reads of the drives and for its own work. Every tick enters the tally (4, w): `ends` (2, n) are the
+    ranges of the joints, `full` (w,) are the values that count as limits; for pressures, the judged
+    quantity is the distance below the limit. Arguments that rarely change come first.
     """
     n, traits = structure.n, law.traits
-    layout = StateLayout.of(structure.drives, traits)
+    layout = StateLayout.of(structure, traits)
     size = layout.integrated
     motors = [
         f"seen[1, {axis}] = x[{place}]"
@@ -62,6 +62,7 @@ def _slice_text(structure: ArmStructure, law: CompiledLaw, sensing: Sensing) -> 
     arguments, rows = _arguments(law, sensing)
     measured = "\n        measure(frame, sensors, kept, tick + k)" if sensing.channels else ""
     amplified = _delayed(n, traits.delay) if traits.delay else "amplify(out, constants, u)"
+    settled = "\n            settle(x, constants)" if structure.cuts else ""
     log = LogLayout.of(structure.drives)
     q_ref, qd_ref = log.field("q_ref").first, log.field("qd_ref").first
     q = log.field("q").first
@@ -102,7 +103,7 @@ def run_slice(
                 y[j] = x[j] + h * k3[j]
             derivative(y, u, constants, k4)
             for j in range({size}):
-                x[j] += sixth * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j])
+                x[j] += sixth * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j]){settled}
         for j in range({n}):
             ref[0, j] = q_ref[k, j]
             ref[1, j] = qd_ref[k, j]
