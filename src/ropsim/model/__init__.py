@@ -146,6 +146,9 @@ from ropsim.model.geometry.outlines import capsule as capsule
 from ropsim.model.geometry.outlines import circle as circle
 from ropsim.model.geometry.outlines import polygon as polygon
 from ropsim.model.geometry.rod import rod as rod
+from ropsim.model.law_file import DIAGRAM_ENDINGS as DIAGRAM_ENDINGS
+from ropsim.model.law_file import MODULE_ENDING as MODULE_ENDING
+from ropsim.model.law_file import LawFile as LawFile
 from ropsim.model.mechanism.coordinates import Coordinates as Coordinates
 from ropsim.model.mechanism.coordinates import coordinates as coordinates
 from ropsim.model.mechanism.coordinates import passive_coordinates as passive_coordinates

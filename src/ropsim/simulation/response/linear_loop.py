@@ -1,12 +1,21 @@
 """The servo loop of an arm about a rest, linear and tick by tick, from the code of plant and law."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 import numpy as np
 
 from ropsim.codegen import Engine, load
-from ropsim.controller import CompiledLaw, in_python, law_arrays, law_of
+from ropsim.controller import (
+    CompiledLaw,
+    LawInput,
+    PythonLaw,
+    compiled_half,
+    in_python,
+    law_arrays,
+    law_model,
+    law_of,
+)
 from ropsim.dynamics import arm_numbers, barycentric, structure_of
 from ropsim.model import ControllerModel, Friction, Payload, RobotModel
 from ropsim.simulation.servo.held_state import SMALL, held_state, without_dead_zones
@@ -91,7 +100,11 @@ class LinearLoop:
 
 
 def linear_loop(
-    robot: RobotModel, controller: ControllerModel, q: Array, payload: Payload, law: CompiledLaw | None = None
+    robot: RobotModel,
+    controller: ControllerModel,
+    q: Array,
+    payload: Payload,
+    law: CompiledLaw | PythonLaw | None = None,
 ) -> LinearLoop:
     """Return plant and law about a rest, without dry friction, which would damp the loop.
 
@@ -149,11 +162,13 @@ def _plant(
 
 
 def _law(
-    law: CompiledLaw, robot: RobotModel, rest: tuple[Array, Array], payload: Payload
+    law: CompiledLaw | PythonLaw, robot: RobotModel, rest: tuple[Array, Array], payload: Payload
 ) -> tuple[Array, Array]:
     """Return how outputs and next states of a law follow from state, law and reference: two matrices."""
     x, u = rest
-    function, arrays = in_python(law), law_arrays(law, robot.n)
+    function = _called(law, robot, payload)
+    arrays = law_arrays(compiled_half(law, np.zeros(robot.n)), robot.n)
+    rests = not isinstance(law, CompiledLaw) or law.model is not None
     layout = StateLayout.of(structure_of(robot).drives, law.traits)
     n, s, speeds = robot.n, layout.integrated, list(layout.measured_speeds)
     arrays["load"] = np.array(barycentric(payload.mass, payload.com, payload.inertia))
@@ -170,10 +185,10 @@ def _law(
         return np.concatenate((out, state.ravel()))
 
     memory = np.zeros((layout.law_rows, n))
-    if law.model and law.traits.hold_row is not None:
+    if rests and law.traits.hold_row is not None:
         memory[law.traits.hold_row] = u * np.array([drive.sense for drive in robot.drives])
     values = np.concatenate((x, memory.ravel(), x[:n]))
-    for _ in range(_LONGEST_REST if law.model else 0):
+    for _ in range(_LONGEST_REST if rests else 0):
         kept = answers(values)[n:]
         is_at_rest = bool(
             np.abs(kept - values[s:-n]).max(initial=0.0) <= _REST * np.abs(kept).max(initial=0.0)
@@ -183,6 +198,21 @@ def _law(
             break
     J = _differences(answers, values)
     return J[:n], J[n:]
+
+
+def _called(
+    law: CompiledLaw | PythonLaw, robot: RobotModel, payload: Payload
+) -> Callable[[Mapping[str, Array]], None]:
+    """Return a law as a function of its arrays by name, `out` among them."""
+    if isinstance(law, CompiledLaw):
+        return in_python(law)
+    model = law_model(robot)
+
+    def call(arrays: Mapping[str, Array]) -> None:
+        now = LawInput(0.0, arrays["ref"], arrays["meas"], payload, arrays["aux"], arrays["sensed"], model)
+        arrays["out"][:] = law.step(now, arrays["state"])
+
+    return call
 
 
 def _differences(function: Callable[[Array], Array], values: Array) -> Array:

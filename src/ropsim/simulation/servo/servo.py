@@ -25,7 +25,7 @@ from ropsim.dynamics import (
     structure_of,
 )
 from ropsim.flow import JointReference
-from ropsim.model import ControllerModel, Payload, Rates, RobotModel
+from ropsim.model import ControllerKind, ControllerModel, Payload, Rates, RobotModel
 from ropsim.simulation.servo.checks import (
     check_aux,
     check_drives,
@@ -114,7 +114,8 @@ class Servo:
         python_law = None if isinstance(chosen, CompiledLaw) else chosen
         inner = compiled_half(chosen, np.zeros(robot.n))
         check_law(inner, robot)
-        kernel = _kernel(robot, inner, engine or default_engine(), law)
+        is_own = law is not None or controller.kind is ControllerKind.FILE
+        kernel = _kernel(robot, inner, engine or default_engine(), chosen if is_own else None)
         layout = StateLayout.of(structure_of(robot).drives, inner.traits)
         steps = plant_steps_of(robot, controller.rates)
         rates = replace(controller.rates, plant_steps=steps)
