@@ -58,6 +58,7 @@ MEANINGS: Mapping[str, str] = {
     "kf": "Share of the reference speed that is fed forward, one for each joint.",
     "ke": "Voltage or torque fed forward for the reference speed, one for each joint.",
     "ka": "Voltage or torque fed forward for the reference acceleration, one for each joint.",
+    "controller.file": "The joint controller: a block diagram of the project, or a module in Python.",
     "law": "The control law: computed torque, or loops of fixed gains, joint by joint.",
     "kd": "Speed gain under computed torque, one for each joint.",
     "path_speed": "Speed of the tool on its paths where the program says nothing.",

@@ -7,6 +7,9 @@ from ropsim.controller.correction import CorrectionRange as CorrectionRange
 from ropsim.controller.correction import next_correction as next_correction
 from ropsim.controller.correction_room import ShiftedArm as ShiftedArm
 from ropsim.controller.correction_room import ShiftedJoints as ShiftedJoints
+from ropsim.controller.diagrams.diagram_law import diagram_law as diagram_law
+from ropsim.controller.diagrams.law_files import law_file_findings as law_file_findings
+from ropsim.controller.diagrams.own_module import untrusted as untrusted
 from ropsim.controller.law import CompiledLaw as CompiledLaw
 from ropsim.controller.law import LawInput as LawInput
 from ropsim.controller.law import LawTraits as LawTraits

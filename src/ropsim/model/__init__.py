@@ -149,6 +149,9 @@ from ropsim.model.geometry.rod import rod as rod
 from ropsim.model.joint_sensors import MEASURED as MEASURED
 from ropsim.model.joint_sensors import JointSensor as JointSensor
 from ropsim.model.joint_sensors import JointSensors as JointSensors
+from ropsim.model.law_file import DIAGRAM_ENDINGS as DIAGRAM_ENDINGS
+from ropsim.model.law_file import MODULE_ENDING as MODULE_ENDING
+from ropsim.model.law_file import LawFile as LawFile
 from ropsim.model.mechanism.coordinates import Coordinates as Coordinates
 from ropsim.model.mechanism.coordinates import coordinates as coordinates
 from ropsim.model.mechanism.coordinates import passive_coordinates as passive_coordinates

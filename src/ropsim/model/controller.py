@@ -8,6 +8,7 @@ from ropsim.core import frozen_dataclass
 from ropsim.flow import ParameterOrigin
 from ropsim.model.findings.number_range import COORDINATE, EXTENT, RATE, TIME, Ranges, between, whole
 from ropsim.model.joint_sensors import JointSensors
+from ropsim.model.law_file import LawFile
 from ropsim.spatial import Array, frozen, record
 
 
@@ -65,16 +66,22 @@ class CorrectionLimits:
 
 
 class ControllerKind(Enum):
-    """The law of the joint controller; the ideal one lets arms without drives be where they should."""
+    """The law of the joint controller.
+
+    That of a file is a block diagram or a module of the project; the ideal one lets arms without drives be
+    where they should.
+    """
 
     CASCADED_P_PI = "cascaded_p_pi"
     COMPUTED_TORQUE = "computed_torque"
+    FILE = "file"
     IDEAL = "ideal"
 
 
 LAW_WORDS = {
     ControllerKind.COMPUTED_TORQUE: "computed torque",
     ControllerKind.CASCADED_P_PI: "fixed gains",
+    ControllerKind.FILE: "file of the project",
     ControllerKind.IDEAL: "ideal",
 }
 """What people call the laws."""
@@ -183,12 +190,12 @@ class NoGains:
     RANGES: ClassVar[Ranges] = {}
 
 
-Gains = CascadedGains | ComputedTorqueGains | NoGains
+Gains = CascadedGains | ComputedTorqueGains | NoGains | LawFile
 
 
 def gain_names(gains: Gains) -> tuple[str, ...]:
-    """Return the names of the gains of a law, in the order of its parameters."""
-    return tuple(one.name for one in fields(gains))
+    """Return the names of the gains of a law, in the order of its parameters; the law of a file has none."""
+    return () if isinstance(gains, LawFile) else tuple(one.name for one in fields(gains))
 
 
 @frozen_dataclass
@@ -243,7 +250,7 @@ class ControllerModel:
     Attributes:
         kind: law of the joint controller.
         rates: periods.
-        gains: gains of the joint controller, for its law.
+        gains: gains of the joint controller, for its law, or the file that holds the law.
         path: settings of tool paths where the program gives none.
         in_position: a fine stop is over when every joint is this near its target [rad | m], and not faster
             than this way in 20 ms, shape (n,).

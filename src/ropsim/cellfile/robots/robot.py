@@ -8,6 +8,7 @@ import numpy as np
 from ropsim import robots
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.robots.external_axes import ExternalAxes, read_external_axes
+from ropsim.cellfile.robots.law_file import with_law_file
 from ropsim.cellfile.robots.sensors import read_sensors, sensor_words
 from ropsim.core import RopsimError
 from ropsim.model import (
@@ -17,6 +18,7 @@ from ropsim.model import (
     ControllerModel,
     CorrectionLimits,
     JointType,
+    LawFile,
     LookAhead,
     OrientationMode,
     OriginKind,
@@ -215,9 +217,10 @@ def _controller(
         )
         for name in names
     }
+    if not isinstance(controller.gains, LawFile):
+        controller = replace(controller, gains=type(controller.gains)(**gains))
     return replace(
         controller,
-        gains=type(controller.gains)(**gains),
         path=_path(table, controller.path, units),
         in_position=_per_joint(table, "in_position", windows, controller.in_position, model),
         settle_timeout=table.number("settle_timeout", _SETTLE, controller.settle_timeout),
@@ -249,6 +252,8 @@ def _with_stated_law(table: TomlTable, controller: ControllerModel, model: Robot
     Gains of an arm with geared motors are those of loops joint by joint, unless `kd` is among them, which
     computed torque alone has.
     """
+    if "file" in table:
+        return with_law_file(table, controller)
     if controller.kind is ControllerKind.IDEAL:
         return controller
     fixed, possible = LAW_WORDS[ControllerKind.CASCADED_P_PI], [LAW_WORDS[controller.kind]]

@@ -1,12 +1,21 @@
 """The servo loop of an arm about a rest, linear and tick by tick, from the code of plant and law."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ropsim.codegen import Engine, load
-from ropsim.controller import CompiledLaw, in_python, law_arrays, law_of
+from ropsim.controller import (
+    CompiledLaw,
+    LawInput,
+    PythonLaw,
+    compiled_half,
+    in_python,
+    law_arrays,
+    law_model,
+    law_of,
+)
 from ropsim.dynamics import arm_numbers, barycentric, structure_of
 from ropsim.model import ControllerModel, Friction, Payload, RobotModel
 from ropsim.simulation.servo.held_state import SMALL, held_state, without_dead_zones
@@ -92,7 +101,11 @@ class LinearLoop:
 
 
 def linear_loop(
-    robot: RobotModel, controller: ControllerModel, q: Array, payload: Payload, law: CompiledLaw | None = None
+    robot: RobotModel,
+    controller: ControllerModel,
+    q: Array,
+    payload: Payload,
+    law: CompiledLaw | PythonLaw | None = None,
 ) -> LinearLoop:
     """Return plant and law about a rest, without dry friction, which would damp the loop.
 
@@ -165,18 +178,20 @@ class _Seen:
     """
 
     robot: RobotModel
-    law: CompiledLaw
+    law: CompiledLaw | PythonLaw
     layout: StateLayout
     u: Array
     late: tuple[int, ...]
 
     @classmethod
-    def of(cls, robot: RobotModel, controller: ControllerModel, law: CompiledLaw, u: Array) -> "_Seen":
+    def of(
+        cls, robot: RobotModel, controller: ControllerModel, law: CompiledLaw | PythonLaw, u: Array
+    ) -> "_Seen":
         layout, late = (
             StateLayout.of(structure_of(robot), law.traits),
             [0] * (4 + len(law.traits.sensed)),
         )
-        for channel in sensing_of(controller, law).channels:
+        for channel in sensing_of(controller, compiled_half(law, np.zeros(robot.n))).channels:
             late[channel.row] = channel.delay + channel.period // 2
         return cls(robot, law, layout, u, tuple(late))
 
@@ -221,7 +236,9 @@ class _Seen:
 def _law(seen: _Seen, x: Array, payload: Payload) -> tuple[Array, Array]:
     """Return how outputs and next states of a law follow from state, law and reference: two matrices."""
     law, robot, layout = seen.law, seen.robot, seen.layout
-    function, arrays = in_python(law), law_arrays(law, robot.n)
+    function = _called(law, robot, payload)
+    arrays = law_arrays(compiled_half(law, np.zeros(robot.n)), robot.n)
+    rests = not isinstance(law, CompiledLaw) or law.model is not None
     n, s, size = robot.n, layout.integrated, len(x)
     arrays["load"] = np.array(barycentric(payload.mass, payload.com, payload.inertia))
 
@@ -236,15 +253,30 @@ def _law(seen: _Seen, x: Array, payload: Payload) -> tuple[Array, Array]:
         return answer(seen.given(values[:size], s), values[size:-n], values[-n:])
 
     memory = np.zeros((layout.law_rows, n))
-    if law.model and law.traits.hold_row is not None:
+    if rests and law.traits.hold_row is not None:
         memory[law.traits.hold_row] = seen.u * np.array([drive.sense for drive in robot.drives])
     kept, found = memory.ravel(), seen.given(x, s)
-    for _ in range(_LONGEST_REST if law.model else 0):
+    for _ in range(_LONGEST_REST if rests else 0):
         before, kept = kept, answer(found, kept, x[:n])[n:]
         if (np.abs(kept - before) <= _REST * np.maximum(np.abs(kept), SMALL)).all():
             break
     J = _differences(answers, np.concatenate((x, kept, x[:n])))
     return J[:n], J[n:]
+
+
+def _called(
+    law: CompiledLaw | PythonLaw, robot: RobotModel, payload: Payload
+) -> Callable[[Mapping[str, Array]], None]:
+    """Return a law as a function of its arrays by name, `out` among them."""
+    if isinstance(law, CompiledLaw):
+        return in_python(law)
+    model = law_model(robot)
+
+    def call(arrays: Mapping[str, Array]) -> None:
+        now = LawInput(0.0, arrays["ref"], arrays["meas"], payload, arrays["aux"], arrays["sensed"], model)
+        arrays["out"][:] = law.step(now, arrays["state"])
+
+    return call
 
 
 def _differences(function: Callable[[Array], Array], values: Array) -> Array:

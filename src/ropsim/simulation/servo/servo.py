@@ -25,7 +25,7 @@ from ropsim.dynamics import (
     structure_of,
 )
 from ropsim.flow import JointReference
-from ropsim.model import ControllerModel, Payload, Rates, RobotModel
+from ropsim.model import ControllerKind, ControllerModel, Payload, Rates, RobotModel
 from ropsim.simulation.servo.checks import (
     check_aux,
     check_drives,
@@ -118,8 +118,13 @@ class Servo:
         inner = compiled_half(chosen, np.zeros(robot.n))
         check_law(inner, robot)
         sensing = sensing_of(controller, inner)
+        is_own = law is not None or controller.kind is ControllerKind.FILE
         kernel = _kernel(
-            robot, inner, sensing if python_law is None else NO_SENSORS, engine or default_engine(), law
+            robot,
+            inner,
+            sensing if python_law is None else NO_SENSORS,
+            engine or default_engine(),
+            chosen if is_own else None,
         )
         layout = StateLayout.of(structure_of(robot), inner.traits, sensing.kept)
         steps = plant_steps_of(robot, controller.rates)
