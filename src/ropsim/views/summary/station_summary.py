@@ -22,9 +22,11 @@ from ropsim.flow import (
     waiting_of,
 )
 from ropsim.views.accuracy import CornerFigures, StopFigures, corner_figures, stop_figures
-from ropsim.views.channels import station_views
+from ropsim.views.channels import StationView, station_views
 from ropsim.views.cycle import CycleTime, summarize_cycle
 from ropsim.views.summary.device_summary import TaskSummary, summarize_tasks
+from ropsim.views.summary.drive_use import DriveUse, summarize_drives
+from ropsim.views.summary.energy_summary import EnergySummary, summarize_energy
 from ropsim.views.summary.joint_summary import JointSummary, summarize_joints
 from ropsim.views.summary.path_summary import PathSummary, summarize_path
 
@@ -53,6 +55,8 @@ class StationSummary:
         cycle: composition of its cycle time.
         is_driven: whether drives moved its arm; without them it is where its reference is, exactly, and
             nothing is known of settling, torques and accuracy.
+        energy: that its drives draw; None where their power is not known, as in a kinematic run.
+        drives: how far it uses each of them; none in a kinematic run.
     """
 
     facts: StationFacts
@@ -72,6 +76,8 @@ class StationSummary:
     stops: tuple[StopFigures, ...]
     cycle: CycleTime = field(default_factory=CycleTime)
     is_driven: bool = True
+    energy: EnergySummary | None = None
+    drives: tuple[DriveUse, ...] = ()
 
 
 class Figures(Protocol):
@@ -201,4 +207,12 @@ def _station(recording: Recording, facts: StationFacts, cycle: CycleTime) -> Sta
         stops=tuple(one for station in views for one in stop_figures(station)),
         cycle=cycle,
         is_driven=any(station.is_driven for station in views),
+        energy=_energy(views, cycle),
+        drives=tuple(one for station in views for one in summarize_drives(station)),
     )
+
+
+def _energy(views: Sequence[StationView], cycle: CycleTime) -> EnergySummary | None:
+    """Return the energy of the only one of some stations."""
+    passes = {line.line: line.passes for line in cycle.lines}
+    return next((summarize_energy(station, passes) for station in views), None)
