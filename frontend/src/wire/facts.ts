@@ -44,8 +44,12 @@ export interface AxisFacts {
   readonly max_speed: number | null
   /** Torque or force at the joint [N·m | N]; null where unknown. */
   readonly max_effort: number | null
-  /** Of the amplifier [A]; null where unknown. */
+  /** Of the amplifier or the current loop [A]; null where unknown. */
   readonly max_current: number | null
+  /** Which the winding bears for ever [A]; null where unknown. */
+  readonly lasting_current: number | null
+  /** Of the winding over the surroundings [K]; null where unknown. */
+  readonly max_rise: number | null
 }
 
 /** Where a group of parameters comes from. */

@@ -60,7 +60,9 @@ class AxisFacts:
         upper: upper limit [rad | m]; inf where unknown.
         max_speed: [rad/s | m/s]; inf where unknown.
         max_effort: torque or force at the joint [N·m | N]; inf where unknown.
-        max_current: of the amplifier [A]; inf where unknown.
+        max_current: of the amplifier or the current loop [A]; inf where unknown.
+        lasting_current: which the winding bears for ever [A]; inf where unknown.
+        max_rise: of the winding over the surroundings [K]; inf where unknown.
     """
 
     name: str
@@ -70,6 +72,8 @@ class AxisFacts:
     max_speed: float = inf
     max_effort: float = inf
     max_current: float = inf
+    lasting_current: float = inf
+    max_rise: float = inf
 
 
 @frozen_dataclass

@@ -21,12 +21,14 @@ class Alternative:
         cycle_time: with it [s].
         valid: whether the whole program was carried out, so that the cycle time is that of the program.
         findings: not in the unchanged run, each once.
+        energy: that all drives draw with it [J]; NaN where it is not known.
     """
 
     change: str
     cycle_time: float
     valid: bool
     findings: tuple[Diagnostic, ...]
+    energy: float = math.nan
 
 
 @frozen_dataclass
@@ -37,15 +39,21 @@ class Comparison:
         cycle_time: of the unchanged run [s].
         alternatives: in the order of the requests.
         notes: why others were not tried.
+        energy: that all drives of the unchanged run draw [J]; NaN where it is not known.
     """
 
     cycle_time: float
     alternatives: tuple[Alternative, ...]
     notes: tuple[Diagnostic, ...] = ()
+    energy: float = math.nan
 
     def difference(self, alternative: Alternative) -> float:
         """Return by how much longer the program takes with a change [s]; NaN where that says nothing."""
         return alternative.cycle_time - self.cycle_time if alternative.valid else math.nan
+
+    def energy_difference(self, alternative: Alternative) -> float:
+        """Return by how much more energy the drives draw with a change [J]; NaN where that says nothing."""
+        return alternative.energy - self.energy if alternative.valid else math.nan
 
 
 def comparison_text(comparison: Comparison, style: Style) -> str:
@@ -58,6 +66,7 @@ def comparison_text(comparison: Comparison, style: Style) -> str:
             TableCell(seconds(comparison.cycle_time)),
             TableCell(""),
             TableCell(""),
+            *([TableCell("")] if math.isfinite(comparison.energy) else []),
             TableCell(""),
         )
     ]
@@ -71,10 +80,12 @@ def comparison_text(comparison: Comparison, style: Style) -> str:
                 TableCell(time),
                 TableCell(difference),
                 TableCell(share),
+                *(TableCell(text) for text in _energy(comparison, one)),
                 TableCell(_findings(one), tone),
             )
         )
-    title = ("what if", "cycle time s", "difference s", "%", "new findings")
+    drawn = ["energy %"] if math.isfinite(comparison.energy) else []
+    title = ("what if", "cycle time s", "difference s", "%", *drawn, "new findings")
     return "\n".join(line.replace("\u00a0", " ") for line in columns_text(title, rows, style)) + "\n"
 
 
@@ -82,14 +93,16 @@ def comparison_section(comparison: Comparison | None) -> str:
     """Return the section of the HTML report; nothing where nothing was compared."""
     if comparison is None:
         return ""
+    known = ("",) if math.isfinite(comparison.energy) else ()
     rows = [
-        ("as it is", seconds(comparison.cycle_time), "", "", ""),
+        ("as it is", seconds(comparison.cycle_time), "", "", *known, ""),
         *(
-            (text(one.change), *_figures(comparison, one), text(_findings(one)))
+            (text(one.change), *_figures(comparison, one), *_energy(comparison, one), text(_findings(one)))
             for one in comparison.alternatives
         ),
     ]
-    header = ("change", "cycle time<br>[s]", "difference<br>[s]", "[%]", "new findings")
+    drawn = ("energy<br>[%]",) * len(known)
+    header = ("change", "cycle time<br>[s]", "difference<br>[s]", "[%]", *drawn, "new findings")
     what = "The same program with one change each: what it would take, and what would be found."
     shown = table(what, header, rows) if comparison.alternatives else ""
     notes = "".join(f"<p>{text(note.message)}</p>\n" for note in comparison.notes)
@@ -107,6 +120,16 @@ def _figures(comparison: Comparison, one: Alternative) -> tuple[str, str, str]:
         f"{difference:+.2f}",
         f"{share:+.1f}" if math.isfinite(share) else UNKNOWN,
     )
+
+
+def _energy(comparison: Comparison, one: Alternative) -> tuple[str, ...]:
+    """Return the share by which more energy is drawn; nothing where that of the unchanged run is unknown."""
+    if not math.isfinite(comparison.energy):
+        return ()
+    difference = comparison.energy_difference(one)
+    if not (math.isfinite(difference) and comparison.energy > 0.0):
+        return (UNKNOWN,)
+    return (f"{difference / comparison.energy * 100.0:+.1f}",)
 
 
 def _findings(one: Alternative) -> str:

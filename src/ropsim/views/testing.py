@@ -15,11 +15,14 @@ from ropsim.views.accuracy.polyline import at as at
 from ropsim.views.accuracy.polyline import nearest as nearest
 from ropsim.views.accuracy.stops import stopping as stopping
 from ropsim.views.channels import station_views as station_views
+from ropsim.views.comparison import comparison_section as comparison_section
 from ropsim.views.html.accuracy import corner_table as corner_table
 from ropsim.views.html.accuracy import path_table as path_table
 from ropsim.views.html.accuracy import stop_table as stop_table
 from ropsim.views.html.cards import key_figures as key_figures
 from ropsim.views.html.contours import contour_section as contour_section
+from ropsim.views.html.energy import drive_section as drive_section
+from ropsim.views.html.energy import energy_section as energy_section
 from ropsim.views.html.findings import SHOWN_MESSAGES as SHOWN_MESSAGES
 from ropsim.views.html.replay import inline_script as inline_script
 from ropsim.views.html.replay import inline_style as inline_style
@@ -44,6 +47,7 @@ from ropsim.views.picture.facets import facets as facets
 from ropsim.views.scene.arm import base_shapes as base_shapes
 from ropsim.views.scene.arm import link_shapes as link_shapes
 from ropsim.views.scene.arm import reach as reach
+from ropsim.views.summary.energy_summary import both_energies as both_energies
 from ropsim.views.summary.findings import below_causes as below_causes
 from ropsim.views.summary.findings import runs_text as runs_text
 from ropsim.views.summary.joint_summary import closest_to_position_limit as closest_to_position_limit

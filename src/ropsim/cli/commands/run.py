@@ -1,6 +1,7 @@
 """`ropsim run`: compile, plan, simulate, verify, report."""
 
 import argparse
+import math
 import shlex
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
@@ -87,10 +88,16 @@ def comparison_entry(comparison: Comparison) -> list[dict[str, object]]:
             "cycle_time": one.cycle_time,
             "cycle_time_valid": one.valid,
             "difference": comparison.difference(one) if one.valid else None,
+            "energy": _finite(one.energy),
+            "energy_difference": _finite(comparison.energy_difference(one)),
             **diagnostic_document(one.findings),
         }
         for one in comparison.alternatives
     ]
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
 
 
 def message_entry(message: Message) -> dict[str, object]:

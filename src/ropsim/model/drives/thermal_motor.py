@@ -1,5 +1,7 @@
 """A DC motor that grows warm, and the amplifier that watches it."""
 
+from math import inf, isfinite, sqrt
+
 from ropsim.core import frozen_dataclass
 
 COPPER = 3.93e-3
@@ -57,3 +59,13 @@ class ThermalDcMotor:
     resistance_drift: float = COPPER
     torque_drift: float = 0.0
     start_rise: float = 0.0
+
+    def lasting_current(self, rise: float) -> float:
+        """Return the current that for ever warms the winding to a rise over the surroundings [A].
+
+        There R·(1 + α·ϑ)·i² leaves it through both thermal resistances, ϑ/(R_w + R_h).
+        """
+        if not isfinite(rise):
+            return inf
+        through = self.winding_thermal_resistance + self.housing_thermal_resistance
+        return sqrt(rise / (through * self.resistance * (1.0 + self.resistance_drift * rise)))

@@ -6,7 +6,15 @@ import numpy as np
 
 from ropsim.controller import CompiledLaw, PythonLaw
 from ropsim.flow import AxisFacts, AxisType, StationFacts
-from ropsim.model import ControllerModel, JointType, LawFile, RobotModel
+from ropsim.model import (
+    ControllerModel,
+    CurrentLoopMotor,
+    Drive,
+    JointType,
+    LawFile,
+    RobotModel,
+    ThermalDcMotor,
+)
 
 _TYPES = {JointType.REVOLUTE: AxisType.REVOLUTE, JointType.PRISMATIC: AxisType.PRISMATIC}
 
@@ -46,7 +54,7 @@ def with_law(
 
 
 def _axes(robot: RobotModel) -> tuple[AxisFacts, ...]:
-    currents = [getattr(drive.amplifier, "max_current", np.inf) for drive in robot.drives]
+    limits = [_drive_limits(drive) for drive in robot.drives] or [(np.inf,) * 3] * robot.n
     return tuple(
         AxisFacts(
             joint.name,
@@ -55,7 +63,17 @@ def _axes(robot: RobotModel) -> tuple[AxisFacts, ...]:
             np.inf if joint.is_endless else float(joint.upper),
             float(joint.max_speed),
             float(joint.max_effort),
-            float(current),
+            *own,
         )
-        for joint, current in zip(robot.axis_joints, currents or [np.inf] * robot.n, strict=True)
+        for joint, own in zip(robot.axis_joints, limits, strict=True)
     )
+
+
+def _drive_limits(drive: Drive) -> tuple[float, float, float]:
+    """Return the largest current, the lasting current [A], and the greatest rise of the winding [K]."""
+    amplifier, motor = drive.amplifier, drive.motor
+    watched = motor if isinstance(motor, CurrentLoopMotor) else amplifier
+    current = float(getattr(watched, "max_current", np.inf))
+    rise = float(getattr(amplifier, "max_rise", np.inf))
+    lasting = motor.lasting_current(rise) if isinstance(motor, ThermalDcMotor) else np.inf
+    return current, float(lasting), rise

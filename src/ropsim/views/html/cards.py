@@ -21,7 +21,9 @@ from ropsim.views.words.figures import (
     PERCENT,
     UNKNOWN,
     coordinate_scale,
+    energy,
     percent,
+    power,
     seconds,
     with_unit,
 )
@@ -42,6 +44,7 @@ def key_figures(summary: Summary) -> str:
             *_settling_figure(summary, _cycle_words(summary)),
             *(_waiting_figure(summary) if len(summary.stations) == 1 else ()),
             *_work(summary, _cycle_words(summary)),
+            *(card for one in summary.stations if len(summary.stations) == 1 for card in _energy_figure(one)),
             *_destinations_figure(summary),
             *_device_figures(summary.devices),
             *_path_figure(summary),
@@ -59,6 +62,7 @@ def station_figures(station: StationSummary, summary: Summary) -> str:
             *_settling_figure(station, OF_CYCLE),
             *_waiting_figure(station),
             *_work(station, OF_CYCLE),
+            *_energy_figure(station),
             *_path_figure(station),
             *_joint_figures(station.joints),
         ],
@@ -120,6 +124,14 @@ def _waiting_figure(figures: Figures) -> list[Card]:
     return [
         ("waiting", f"{seconds(waiting.total)} s", f"{percent(waiting.share)} of the cycle time; {longest}")
     ]
+
+
+def _energy_figure(station: StationSummary) -> list[Card]:
+    found = station.energy
+    if found is None:
+        return [] if station.is_driven else [("energy", UNKNOWN, "without drives")]
+    detail = f"drawn, {energy(found.given_back)} given back; at most {power(found.peak.value)}"
+    return [("energy", energy(found.drawn), detail)]
 
 
 def _destinations_figure(summary: Summary) -> list[Card]:

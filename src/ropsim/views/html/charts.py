@@ -17,6 +17,7 @@ from ropsim.views.words.figures import (
     AMPERE,
     MILLIMETRES,
     MILLIMETRES_PER_SECOND,
+    WATT,
     Scale,
     coordinate_scale,
     effort_scale,
@@ -65,6 +66,13 @@ _QUANTITIES = (
         lambda j: (-j.max_current, j.max_current),
     ),
     _JointQuantity(
+        "power",
+        "Power drawn by the drives",
+        "Power that each drive draws, negative where it gives back.",
+        lambda _: WATT,
+        lambda _: (),
+    ),
+    _JointQuantity(
         "q_error",
         "Following errors",
         "Reference minus attained coordinate of each joint.",
@@ -81,6 +89,7 @@ def figures(recording: Recording, summary: Summary) -> list[str]:
         schedule(recording, summary),
         *(figure for station in stations for figure in (_path_views(station), _path_accuracy(station))),
         *(_joint_figure(stations, quantity) for quantity in _QUANTITIES),
+        _power_figure(stations),
         signals(recording),
     ]
     return [figure for figure in candidates if figure]
@@ -112,6 +121,25 @@ def _joint_figure(stations: tuple[StationView, ...], quantity: _JointQuantity) -
     time = found[0][0].time
     chart = TimeChart(f"chart-{quantity.channel}", quantity.title, description, time, rows)
     return figure(quantity.title, ("limit", "peak") if has_limits else ("peak",), time_chart(chart))
+
+
+def _power_figure(stations: tuple[StationView, ...]) -> str:
+    """Return the power of all drives of each station together."""
+    powers = [(station, station.joints("power")) for station in stations]
+    rows = tuple(
+        TraceRow(
+            station.label("all drives"), WATT.unit, (Trace("power", np.nansum(values, axis=1)),), height=80.0
+        )
+        for station, values in powers
+        if np.any(np.isfinite(values))
+    )
+    if not rows:
+        return ""
+    title = "Power drawn by all drives"
+    what = "Power of all drives together, which share a supply; negative where they give back."
+    return figure(
+        title, ("peak",), time_chart(TimeChart("chart-supply", title, what, stations[0].time, rows))
+    )
 
 
 def _joint_row(name: str, axis: AxisFacts, quantity: _JointQuantity, values: Array) -> TraceRow:

@@ -20,6 +20,11 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "Bend: the path is bent and no limit reached; the bend takes acceleration and jerk of tool or joint.",
         "torque": "Of the drive at the joint, behind the gear and before joint friction; the share is "
         "that of the limit of the model.",
+        "energy": "Of the drives of a station together, which share a supply: what one gives back another "
+        "draws, and only the rest counts as given back. Copper, friction and lifting are in it, of hydraulic "
+        "drives what flows out of the supply; what amplifiers, pumps, controller and brakes take is not.",
+        "use of the drives": "RMS is the root of the mean square over the whole run. The lasting current is "
+        "what warms the winding to its greatest rise in the end; a model without such a limit has no share.",
         "following error": "Reference minus attained joint coordinate at the same instant; it contains "
         "the delay of the servo.",
         "path error, AT<sub>p</sub>": "Distance of the attained tool centre point from the path of the tool: "

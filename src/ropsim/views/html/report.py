@@ -15,6 +15,7 @@ from ropsim.views.html.contours import contour_section
 from ropsim.views.html.cursor import SCRIPT
 from ropsim.views.html.cycle import cycle_section
 from ropsim.views.html.definitions import DEFINITIONS
+from ropsim.views.html.energy import drive_section, energy_section
 from ropsim.views.html.findings import findings_section, messages_section, skipped_section
 from ropsim.views.html.replay import (
     NoReplay,
@@ -129,6 +130,8 @@ def _station(
         tasks = task_table(station.tasks, station.cycle_time)
         parts.append(f"<section><h2>Tasks{of}</h2>\n{tasks}</section>\n")
     parts.append(cycle_section(station.cycle, sources.get(facts.source), of))
+    parts.append(energy_section(station.energy, sources.get(facts.source), of))
+    parts.append(drive_section(station.drives, of))
     parts.append(accuracy_section(station, of, sources.get(facts.source)))
     parts.append(contour_section(station, recording, of))
     return "".join(parts)

@@ -30,9 +30,11 @@ from ropsim.views.accuracy import (
     corner_figures,
     stop_figures,
 )
-from ropsim.views.channels import station_views
+from ropsim.views.channels import StationView, station_views
 from ropsim.views.cycle import CycleTime, summarize_cycle
 from ropsim.views.summary.device_summary import TaskSummary, summarize_tasks
+from ropsim.views.summary.drive_use import DriveUse, summarize_drives
+from ropsim.views.summary.energy_summary import EnergySummary, summarize_energy
 from ropsim.views.summary.joint_summary import JointSummary, summarize_joints
 from ropsim.views.summary.path_summary import PathSummary, summarize_path
 
@@ -66,6 +68,8 @@ class StationSummary:
         cycle: composition of its cycle time.
         is_driven: whether drives moved its arm; without them it is where its reference is, exactly, and
             nothing is known of settling, torques and accuracy.
+        energy: that its drives draw; None where their power is not known, as in a kinematic run.
+        drives: how far it uses each of them; none in a kinematic run.
     """
 
     facts: StationFacts
@@ -86,6 +90,8 @@ class StationSummary:
     contours: tuple[ContourFigures, ...] = ()
     cycle: CycleTime = field(default_factory=CycleTime)
     is_driven: bool = True
+    energy: EnergySummary | None = None
+    drives: tuple[DriveUse, ...] = ()
 
 
 class Figures(Protocol):
@@ -230,4 +236,12 @@ def _station(recording: Recording, facts: StationFacts, cycle: CycleTime) -> Sta
         contours=tuple(one for station in views for one, _ in contours(station, stops)),
         cycle=cycle,
         is_driven=any(station.is_driven for station in views),
+        energy=_energy(views, cycle),
+        drives=tuple(one for station in views for one in summarize_drives(station)),
     )
+
+
+def _energy(views: Sequence[StationView], cycle: CycleTime) -> EnergySummary | None:
+    """Return the energy of the only one of some stations."""
+    passes = {line.line: line.passes for line in cycle.lines}
+    return next((summarize_energy(station, passes) for station in views), None)

@@ -1,5 +1,6 @@
 """The figures of a run on one page: printed by `ropsim run` and shown first in the report."""
 
+import math
 from collections.abc import Iterable, Mapping
 
 from ropsim.core import Category, Diagnostic, Severity, frozen_dataclass
@@ -103,6 +104,12 @@ class Summary:
         if not self.stations:
             return not self.facts.is_kinematic
         return any(one.is_driven for one in self.stations)
+
+    @property
+    def drawn(self) -> float:
+        """Return the energy that the drives of all stations draw [J]; NaN where no power is known."""
+        known = [one.energy.drawn for one in self.stations if one.energy]
+        return sum(known) if known else math.nan
 
     @property
     def title(self) -> str:

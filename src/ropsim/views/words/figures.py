@@ -29,6 +29,9 @@ FORCE = Scale(1.0, "N")
 AMPERE = Scale(1.0, "A")
 PERCENT = Scale(100.0, "%")
 METRES = Scale(1.0, "m")
+WATT = Scale(1.0, "W")
+KELVIN = Scale(1.0, "K")
+WATT_HOURS = Scale(1.0 / 3600.0, "Wh")
 
 
 def coordinate_scale(joint: AxisType) -> Scale:
@@ -65,6 +68,30 @@ def with_unit(value: float, scale: Scale, decimals: int) -> str:
         return UNKNOWN
     space = "" if scale.unit == "°" else "\u00a0"
     return f"{fixed(value, scale, decimals)}{space}{scale.unit}"
+
+
+def energy(joules: float) -> str:
+    """Return an energy [J] with three digits in Wh, in kWh from 1 kWh on; `–` where it is not finite."""
+    hours = joules * WATT_HOURS.factor
+    return _digits(hours, "Wh") if abs(hours) < 1e3 else _digits(hours * 1e-3, "kWh")
+
+
+def power(watts: float) -> str:
+    """Return a power [W] with three digits, in kW from 1 kW on; `–` where it is not finite."""
+    return _digits(watts, "W") if abs(watts) < 1e3 else _digits(watts * 1e-3, "kW")
+
+
+def digits(value: float) -> str:
+    """Return a number with three digits and without exponent; `–` where it is not finite."""
+    if not math.isfinite(value):
+        return UNKNOWN
+    rounded = float(f"{value:.2e}")
+    size = math.floor(math.log10(abs(rounded))) if rounded else 0
+    return f"{rounded:.{min(max(2 - size, 0), 5)}f}"
+
+
+def _digits(value: float, unit: str) -> str:
+    return f"{digits(value)}\u00a0{unit}" if math.isfinite(value) else UNKNOWN
 
 
 def seconds(value: float) -> str:

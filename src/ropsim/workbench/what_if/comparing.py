@@ -60,8 +60,9 @@ def compare(
         name = (
             f"{change.text} of {PurePath(change.source).name}" if several and change.source else change.text
         )
-        alternatives.append(Alternative(name, judged.cycle_time, judged.cycle_time_valid, new))
-    return Comparison(summary.cycle_time, tuple(alternatives), notes)
+        figures = judged.cycle_time, judged.cycle_time_valid
+        alternatives.append(Alternative(name, *figures, new, judged.drawn))
+    return Comparison(summary.cycle_time, tuple(alternatives), notes, summary.drawn)
 
 
 def _single(changes: Sequence[Change | Subject], recording: Recording) -> Iterable[Change]:

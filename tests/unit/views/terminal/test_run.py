@@ -73,7 +73,7 @@ def test_names_of_joints_are_shown_whole_up_to_24_columns() -> None:
     axes = tuple(replace(axis, name=name) for axis, name in zip(plain.axes[:2], names, strict=True))
     text = report(facts=facts(stations=(replace(plain, axes=(*axes, *plain.axes[2:])),)))
     lines = [line for line in text.splitlines() if line.startswith(("  shoulder", "  jjj"))]
-    assert [line.split()[0] for line in lines] == ["shoulder_pan_joint", "j" * 23 + "…"]
+    assert [line.split()[0] for line in lines] == ["shoulder_pan_joint", "j" * 23 + "…"] * 2
     assert width(lines[0]) == width(lines[1])
 
 
