@@ -23,6 +23,8 @@ _STANDS = 1e-7
 """Distance from its end within which a command has arrived [m]."""
 _BENDS = 1e-7
 """Change of a unit direction from which on a command does not go straight on."""
+_ROUNDING = 1e-9
+"""Of times that are added [s]."""
 _ROWS = 250
 """Rows that are compared with a contour at once."""
 
@@ -158,8 +160,8 @@ def _task(station: StationView, start: float, end: float) -> str:
         for one in station.recording.events
         if isinstance(one, TaskEvent)
         and one.station == station.facts.name
-        and one.time <= start
-        and one.end >= end
+        and one.time <= start + _ROUNDING
+        and one.end >= end - _ROUNDING
     ]
     return max(around, key=lambda one: one.depth).name if around else ""
 
