@@ -7,6 +7,8 @@ from ropsim.controller.correction import CorrectionRange as CorrectionRange
 from ropsim.controller.correction import next_correction as next_correction
 from ropsim.controller.correction_room import ShiftedArm as ShiftedArm
 from ropsim.controller.correction_room import ShiftedJoints as ShiftedJoints
+from ropsim.controller.hydraulics.flow_law import flow_load_damping as flow_load_damping
+from ropsim.controller.hydraulics.parallel_pi import parallel_pi as parallel_pi
 from ropsim.controller.law import CompiledLaw as CompiledLaw
 from ropsim.controller.law import LawInput as LawInput
 from ropsim.controller.law import LawTraits as LawTraits
