@@ -68,11 +68,13 @@ from ropsim.model.controller import ComputedTorqueGains as ComputedTorqueGains
 from ropsim.model.controller import ControllerKind as ControllerKind
 from ropsim.model.controller import ControllerModel as ControllerModel
 from ropsim.model.controller import CorrectionLimits as CorrectionLimits
+from ropsim.model.controller import FlowGains as FlowGains
 from ropsim.model.controller import Gains as Gains
 from ropsim.model.controller import LookAhead as LookAhead
 from ropsim.model.controller import NoGains as NoGains
 from ropsim.model.controller import OrientationMode as OrientationMode
 from ropsim.model.controller import PathDefaults as PathDefaults
+from ropsim.model.controller import PiGains as PiGains
 from ropsim.model.controller import Rates as Rates
 from ropsim.model.controller import ShortLines as ShortLines
 from ropsim.model.controller import Synchronisation as Synchronisation

@@ -249,21 +249,21 @@ def _controller(
 def _with_stated_law(table: TomlTable, controller: ControllerModel, model: RobotModel) -> ControllerModel:
     """Return the standard controller under the stated law, else under that to which the stated gains belong.
 
-    Gains of an arm with geared motors are those of loops joint by joint, unless `kd` is among them, which
-    computed torque alone has.
+    Gains are those of loops joint by joint where an arm may have them, unless one is among them that only its
+    standard law has, such as `kd`.
     """
     if "file" in table:
         return with_law_file(table, controller)
     if controller.kind is ControllerKind.IDEAL:
         return controller
-    fixed, possible = LAW_WORDS[ControllerKind.CASCADED_P_PI], [LAW_WORDS[controller.kind]]
-    if controller.kind is ControllerKind.COMPUTED_TORQUE and not robots.acts_directly(model):
-        possible.append(fixed)
-    belongs = "kd" not in table and any(name in table for name in GAIN_NAMES)
-    law = table.choice("law", possible, fixed if belongs and fixed in possible else possible[0])
-    if law == LAW_WORDS[controller.kind]:
+    kinds = {LAW_WORDS[kind]: kind for kind in robots.possible_laws(model)}
+    standard, fixed = LAW_WORDS[controller.kind], LAW_WORDS[ControllerKind.CASCADED_P_PI]
+    own = set(gain_names(controller.gains)) - set(GAIN_NAMES)
+    belongs = any(name in table for name in GAIN_NAMES) and not any(name in table for name in own)
+    law = table.choice("law", list(kinds), fixed if belongs and fixed in kinds else standard)
+    if law == standard or law not in kinds:
         return controller
-    return robots.cascaded_controller(model, controller.rates)
+    return robots.controller_under(model, controller.rates, kinds[law])
 
 
 def _limited(table: TomlTable, model: RobotModel, units: Units) -> RobotModel:
