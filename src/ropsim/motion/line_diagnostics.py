@@ -172,8 +172,8 @@ PATH_NOT_CORRECTED = define(
     """
 `track` shifts a path along an axis of the tool while it is made. The arm does that, with external axes that
 stand. Here they move along with the path, as the target gives other values for them or lies in a frame that
-they carry; or a planner of your own has made a path of the joints; or the orientation of the target is free and
-the arm has fewer than six axes. The move is skipped.
+they carry; or a planner of your own has made a path of the joints; or the orientation of the target is free
+and the arm has fewer than six axes. The move is skipped.
 
 **How to mend it.** Bring the external axes where they are needed with a move before, and let the move that
 follows the sensor leave them there.
