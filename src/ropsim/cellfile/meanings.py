@@ -142,6 +142,7 @@ MEANINGS: Mapping[str, str] = {
     "frame": "Name of the frame in which position and orientation are given.",
     "down": "Whether the tool points straight down where no orientation is given.",
     "external": "Where the external axes stand at this location.",
+    "locations.*.orientation": "Whether the orientation of the tool counts: `given`, or `free`.",
     "locations.*.station": "Station whose external axes `external` is for.",
     "signals": "Inputs and outputs by name.",
     "signals.*": "A signal that programs read or set.",

@@ -339,8 +339,7 @@ def _terms(cursor: Cursor) -> tuple[tuple[Turn, ...], Posture | None]:
     start = cursor.start
     turns: list[Turn] = []
     words: tuple[Name, ...] = ()
-    numbers: tuple[Node, ...] = ()
-    is_free = False
+    numbers, is_free = tuple[Node, ...](), False
     while True:
         word = cursor.word
         if (word == "config" and words) or (word == "turns" and numbers) or (word == FREE and is_free):
@@ -353,8 +352,7 @@ def _terms(cursor: Cursor) -> tuple[tuple[Turn, ...], Posture | None]:
             numbers = listed(cursor)
             cursor.close_parenthesis()
         elif word == FREE:
-            cursor.advance()
-            is_free = True
+            is_free = cursor.accept(FREE)
         else:
             turns.append(_turn(cursor))
         if not cursor.accept(","):
