@@ -62,7 +62,7 @@ def step_ratios(robot: Mechanism, Q: npt.ArrayLike) -> Array:
     return np.asarray(tree.T + tree.P @ K)
 
 
-class SpringStretch(NamedTuple):
+class SpringLengths(NamedTuple):
     """How axes stretch springs: those between bodies, then those on coordinates, s of them.
 
     Attributes:
@@ -74,7 +74,7 @@ class SpringStretch(NamedTuple):
     slopes: Array
 
 
-def spring_stretch(robot: Mechanism, Q: npt.ArrayLike) -> SpringStretch:
+def spring_lengths(robot: Mechanism, Q: npt.ArrayLike) -> SpringLengths:
     """Return how the axes of a mechanism at Q (k, n) stretch its springs."""
     rows, tree = np.asarray(Q, np.float64), joint_tree(robot)
     ratios, first = step_ratios(robot, rows), len(robot.springs)
@@ -98,14 +98,14 @@ def spring_stretch(robot: Mechanism, Q: npt.ArrayLike) -> SpringStretch:
             units = np.tile(np.eye(n), (len(rows), 1))
             speeds = joint_motion(robot, np.repeat(rows, n, axis=0), units).speed[:, numbers]
             slopes[:, first:] = speeds.reshape(len(rows), n, -1).transpose(0, 2, 1)
-    return SpringStretch(places, slopes)
+    return SpringLengths(places, slopes)
 
 
 def spring_loads(robot: Mechanism, Q: npt.ArrayLike) -> Array:
     """Return the efforts at the axes that hold still against springs, shape (k, n) [N·m | N]."""
-    stretch, numbers = spring_stretch(robot, Q), spring_numbers(robot).reshape(-1, 3)
+    lengths, numbers = spring_lengths(robot, Q), spring_numbers(robot).reshape(-1, 3)
     stiffness, rest = numbers[:, 0], numbers[:, 1]
-    return np.asarray(((stretch.places - rest) * stiffness)[:, np.newaxis] @ stretch.slopes)[:, 0]
+    return np.asarray(((lengths.places - rest) * stiffness)[:, np.newaxis] @ lengths.slopes)[:, 0]
 
 
 def _along(tree: JointTree, frames: Array, step: int, points: Array, u: Array) -> Array:

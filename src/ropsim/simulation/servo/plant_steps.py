@@ -13,8 +13,8 @@ from ropsim.dynamics import (
     friction_steepness,
     mass_matrices,
     rotor_inertias,
+    spring_lengths,
     spring_numbers,
-    spring_stretch,
     structure_of,
 )
 from ropsim.kinematics import configurations, loop_gaps
@@ -130,7 +130,7 @@ def fastest_pole(robot: RobotModel) -> float:
 
 def _springs(robot: RobotModel, Q: Array) -> Array:
     """Return how efforts at the axes change with coordinates and speeds by springs, shape (k, n, 2·n)."""
-    slopes, numbers = spring_stretch(robot, Q).slopes, spring_numbers(robot).reshape(-1, 3)
+    slopes, numbers = spring_lengths(robot, Q).slopes, spring_numbers(robot).reshape(-1, 3)
     pulled = [slopes.transpose(0, 2, 1) @ (numbers[:, k, np.newaxis] * slopes) for k in (0, 2)]
     return -np.concatenate(pulled, axis=2)
 

@@ -118,13 +118,19 @@ def energy(loop: Mechanism, q: Array, qd: Array) -> float:
 
 
 def test_random_loops_keep_their_energy_and_the_assembly_of_kinematics() -> None:
+    """One of them runs into a dead centre, behind which the axes do not say where the chain is."""
+    regular = 0
     for seed, loop, q, qd, _ in chosen(range(40)):
         z, zd = passive(loop, q[np.newaxis], qd[np.newaxis])
         moved = free_motion(loop, [*q, *z[0]], [*qd, *zd[0]], STEP, 60, every=20, engine=Engine.PYTHON)
         axes, speeds = moved.y[:, : loop.n], moved.yd[:, : loop.n]
         assert moved.gap.max() < 1e-9, seed
+        if np.abs(moved.yd).max() > STEEPEST:
+            continue
+        regular += 1
         wanted = passive(loop, axes, speeds)
-        assert np.abs(moved.y[:, loop.n :] - wanted[0]).max() < 1e-9, seed
-        assert np.abs(moved.yd[:, loop.n :] - wanted[1]).max() < 1e-7, seed
+        assert np.abs(moved.y[:, loop.n :] - wanted[0]).max() < 1e-11, seed
+        assert np.abs(moved.yd[:, loop.n :] - wanted[1]).max() < 1e-10, seed
         energies = np.array([energy(loop, *one) for one in zip(axes, speeds, strict=True)])
-        assert np.abs(energies - energies[0]).max() < 1e-7 * max(1.0, np.abs(energies).max()), seed
+        assert np.abs(energies - energies[0]).max() < 1e-9 * max(1.0, np.abs(energies).max()), seed
+    assert regular >= 20
