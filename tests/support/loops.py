@@ -1,9 +1,12 @@
 """Published mechanisms with closed chains, and linkages of springs and pins, for tests of their dynamics."""
 
+from dataclasses import replace
 from math import pi
 
 import numpy as np
 
+from ropsim.dynamics import mass_matrices
+from ropsim.kinematics import frames_batch
 from ropsim.model import (
     BASE_LINK,
     Direction,
@@ -135,3 +138,56 @@ def andrews() -> RobotModel:
     cuts = tuple(LoopCut(1, at(-d), link, X, IN_PLANE) for link, X in ends)
     spring = Spring("spring", BASE_LINK, np.array([*C, 0.0]), 2, np.array([sd, -sc, 0.0]), 4530.0, 0.07785)
     return mechanism(joints, links, cuts, ANDREWS_START[0], np.zeros(3), (spring,))
+
+
+def opened(robot: RobotModel) -> RobotModel:
+    """Return the tree of a mechanism whose joints have one freedom each, with all joints as axes."""
+    return replace(robot, cuts=(), axes=(), home=np.zeros(len(robot.joints)))
+
+
+def energies(robot: RobotModel, y: Array, yd: Array) -> Array:
+    """Return kinetic and potential energy in the rows of a motion [J], shape (k,).
+
+    Its joints have one freedom each, the first of them is the axis, and its springs are between bodies.
+    """
+    tree = opened(robot)
+    frames, M = frames_batch(tree, y), mass_matrices(tree, y)
+    total = 0.5 * np.einsum("ki,kij,kj->k", yd, M, yd)
+    for number, link in enumerate(robot.links):
+        total -= link.mass * (frames[:, number, :3] @ np.array([*link.com, 1.0])) @ robot.gravity
+    for spring in robot.springs:
+        ends = [
+            np.broadcast_to(point, (len(y), 3))
+            if link == BASE_LINK
+            else frames[:, link, :3] @ np.array([*point, 1.0])
+            for link, point in ((spring.link_1, spring.point_1), (spring.link_2, spring.point_2))
+        ]
+        length = np.linalg.norm(ends[1] - ends[0], axis=1)
+        total += 0.5 * spring.stiffness * (length - spring.free_length) ** 2
+    return np.asarray(total)
+
+
+_CORNERS = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (1, 1, 1), (0, 1, 1), (0, 0, 1))
+_AXES = ((0, 1, 0), (0, 0, 1), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 0, 0))
+
+
+def bricard() -> RobotModel:
+    """Return Bricard's mechanism: five rods of 1 m and 1 kg along edges of a cube, six turning joints.
+
+    R. Bricard, Leçons de cinématique II, 1927; problem A04 of the library of the IFToMM. Counting freedoms
+    says that it is rigid; it moves, as one row of its cut depends on the others.
+    """
+    frames = []
+    for corner, axis, beyond in zip(_CORNERS, _AXES, (*_CORNERS[1:], _CORNERS[0]), strict=True):
+        along = np.subtract(beyond, corner)
+        frame = np.eye(4)
+        frame[:3, 0], frame[:3, 2] = along, axis
+        frame[:3, 1], frame[:3, 3] = np.cross(axis, along), corner
+        frames.append(Pose.from_matrix(frame))
+    joints = tuple(
+        joint(f"{k + 1}", frames[k] if k == 0 else frames[k - 1].inverse() @ frames[k], k - 1)
+        for k in range(5)
+    )
+    body = Link(1.0, np.array([0.5, 0.0, 0.0]), np.diag([0.0, 1.0, 1.0]) / 12.0)
+    cut = LoopCut(4, frames[4].inverse() @ frames[5], BASE_LINK, frames[5], PIN)
+    return mechanism(joints, (body,) * 5, (cut,), 0.0, DOWN)

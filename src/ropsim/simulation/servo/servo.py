@@ -21,6 +21,7 @@ from ropsim.dynamics import (
     arm_numbers,
     barycentric,
     check_model,
+    closed_coordinates,
     identifier,
     structure_of,
 )
@@ -151,6 +152,7 @@ class Servo:
 
         Raises:
             ServoArrayError: `q` has another shape or is not finite.
+            LoopError: M592, closed chains do not close there.
         """
         n = self.robot.n
         start = check_vector("q", q, n)
@@ -158,6 +160,8 @@ class Servo:
         values = np.zeros(layout.size)
         values[layout.q] = start
         layout.in_force(values)[0] = start
+        if self.robot.cuts:
+            values[list(layout.loops.passive)] = closed_coordinates(self.robot, start)
         memory, pending = layout.memory(values), layout.waiting(values)
         for k, held in enumerate(held_drives(self.robot, start, payload)):
             values[list(layout.drive(k))] = held.states
