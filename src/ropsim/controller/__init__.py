@@ -10,6 +10,8 @@ from ropsim.controller.correction_room import ShiftedJoints as ShiftedJoints
 from ropsim.controller.diagrams.diagram_law import diagram_law as diagram_law
 from ropsim.controller.diagrams.law_files import law_file_findings as law_file_findings
 from ropsim.controller.diagrams.own_module import untrusted as untrusted
+from ropsim.controller.hydraulics.flow_law import flow_load_damping as flow_load_damping
+from ropsim.controller.hydraulics.parallel_pi import parallel_pi as parallel_pi
 from ropsim.controller.law import CompiledLaw as CompiledLaw
 from ropsim.controller.law import LawInput as LawInput
 from ropsim.controller.law import LawTraits as LawTraits

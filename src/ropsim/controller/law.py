@@ -62,7 +62,8 @@ class CompiledLaw:
       (anti-windup) is the task of the law.
 
     A row may be written by its name: `par[kp, j]`, `state[integral, j]`, `sensed[pressure_a, j]`,
-    `work[tau]`. Seven arguments with other names are par, state, ref, meas, load, aux, out.
+    `work[tau]`; names that loops count keep their values. Seven arguments with other names are par, state,
+    ref, meas, load, aux, out.
 
     The output holds until that of the next tick. Parameters are run-time values: other gains, same code. An
     index beyond an array ends the run with a finding.

@@ -124,9 +124,10 @@ def _read(source: str, rows: tuple[tuple[str, tuple[str, ...]], ...]) -> LawCode
 
 
 def _numbered(source: str, law: ast.FunctionDef, rows: Mapping[str, tuple[str, ...]]) -> str:
-    """Return a source with `par[kp, j]` as `par[0, j]`, for names that the function does not assign."""
-    own = {one.id for one in ast.walk(law) if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Store)}
-    own |= {one.arg for one in ast.walk(law) if isinstance(one, ast.arg)}
+    """Return a source with `par[kp, j]` as `par[0, j]`, unless the name is counted in the function."""
+    counted = [one.target for one in ast.walk(law) if isinstance(one, ast.For | ast.AugAssign)]
+    stored = [one for target in counted for one in ast.walk(target) if isinstance(one, ast.Name)]
+    own = {one.id for one in stored if isinstance(one.ctx, ast.Store)}
     found = []
     for one in ast.walk(law):
         if not (isinstance(one, ast.Subscript) and isinstance(one.value, ast.Name)):

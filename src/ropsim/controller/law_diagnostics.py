@@ -27,7 +27,8 @@ GAINS_OF_ANOTHER_LAW = define(
     "a controller has gains that its law does not take",
     """
 The kind of a controller model says which law it is, and each law has gains of its own: `CascadedGains` for
-`cascaded_p_pi`, `ComputedTorqueGains` for `computed_torque`.
+`cascaded_p_pi`, `ComputedTorqueGains` for `computed_torque`, `FlowGains` for `flow_load_damping`, `PiGains`
+for `parallel_pi`.
 """,
 )
 

@@ -15,8 +15,10 @@ from ropsim.dynamics import (
     arm_numbers,
     check_model,
     inverse_dynamics,
+    mass_matrix,
     split_numbers,
     structure_of,
+    trace_loaded_inertias,
     trace_loaded_inverse,
     with_rigid_gears,
 )
@@ -44,10 +46,12 @@ class LawModel:
 
     - `inverse(model, q, qd, qdd, load, tau)`: the torques of the drives at the joints that a motion takes,
       with tool and part, inertia and friction of the drives [N·m | N]; gears count as rigid.
+    - `inertias(model, q, load, inertia)`: the inertia that each axis moves while the others stand, with tool
+      and part and its drive [kg·m² | kg].
     - `transmission(model, q, ratio, slope, place)`: G, which is the speed of the motor or rod over that of
       the joint, dG/dq, and where the motor stands [rad], or by how much the rod of a cylinder is out [m].
 
-    A law in Python has the methods `inverse`, `transmission` and `drive`.
+    A law in Python has the methods `inverse`, `inertias`, `transmission` and `drive`.
 
     Attributes:
         robot: the arm.
@@ -70,7 +74,7 @@ class LawModel:
 
     def functions(self, source: str) -> tuple[SourceFunction, ...]:
         """Return those of the functions that a source calls."""
-        made = {"inverse": _inverse, "transmission": _transmission}
+        made = {"inverse": _inverse, "inertias": _inertias, "transmission": _transmission}
         structure = structure_of(with_rigid_gears(self.robot))
         return tuple(make(structure) for name, make in made.items() if re.search(rf"\b{name}\(", source))
 
@@ -90,6 +94,10 @@ class LawModel:
     ) -> Array:
         """Return the torques of the drives at the joints that a motion takes; see `inverse_dynamics`."""
         return inverse_dynamics(with_rigid_gears(self.robot), q, qd, qdd, payload=payload)
+
+    def inertias(self, q: npt.ArrayLike, payload: Payload | None = None) -> Array:
+        """Return the inertia that each axis moves while the others stand, shape (n,)."""
+        return np.diagonal(mass_matrix(with_rigid_gears(self.robot), q, payload)).copy()
 
     def transmission(self, q: npt.ArrayLike) -> Array:
         """Return G, dG/dq, and where motor or rod stands, shape (3, n).
@@ -143,13 +151,28 @@ def _transmitted(drive: Drive, q: float) -> tuple[float, float, float]:
 def _inverse(structure: ArmStructure) -> SourceFunction:
     """Return `inverse(model, q, qd, qdd, load, tau)` of an arm with rigid gears."""
     tracer, n = Tracer(), structure.n
-    zero = tracer.constant(0.0)
-    numbers = [tracer.variable(f"model[{k}]") if there else zero for k, there in enumerate(structure.present)]
     q, qd, qdd = (tracer.variables(name, n) for name in ("q", "qd", "qdd"))
-    load, arm = tracer.variables("load", _LOAD), split_numbers(structure, numbers)
+    load, arm = tracer.variables("load", _LOAD), split_numbers(structure, _given(tracer, structure))
     tau = trace_loaded_inverse(tracer, structure, arm, (q, qd, qdd), load, (qd, qdd))
     results = [(f"tau[{k}]", one) for k, one in enumerate(tau)]
     return emit("inverse", ("model", "q", "qd", "qdd", "load", "tau"), results)
+
+
+@lru_cache(maxsize=16)
+def _inertias(structure: ArmStructure) -> SourceFunction:
+    """Return `inertias(model, q, load, inertia)` of an arm with rigid gears."""
+    tracer = Tracer()
+    arm = split_numbers(structure, _given(tracer, structure))
+    q, load = tracer.variables("q", structure.n), tracer.variables("load", _LOAD)
+    found = trace_loaded_inertias(tracer, structure, arm, q, load)
+    results = [(f"inertia[{k}]", one) for k, one in enumerate(found)]
+    return emit("inertias", ("model", "q", "load", "inertia"), results)
+
+
+def _given(tracer: Tracer, structure: ArmStructure) -> list[Scalar]:
+    """Return the numbers of the arm; zeros are constants."""
+    zero = tracer.constant(0.0)
+    return [tracer.variable(f"model[{k}]") if there else zero for k, there in enumerate(structure.present)]
 
 
 @lru_cache(maxsize=16)

@@ -5,6 +5,8 @@ from collections.abc import Callable
 from ropsim.controller.cascaded_p_pi import cascaded_p_pi
 from ropsim.controller.computed_torque import computed_torque
 from ropsim.controller.diagrams.law_files import law_of_file
+from ropsim.controller.hydraulics.flow_law import flow_load_damping
+from ropsim.controller.hydraulics.parallel_pi import parallel_pi
 from ropsim.controller.law import CompiledLaw, PythonLaw
 from ropsim.controller.law_diagnostics import GAINS_OF_ANOTHER_LAW, GainError
 from ropsim.model import ControllerKind, ControllerModel, Mechanism
@@ -13,6 +15,8 @@ LAWS: dict[ControllerKind, Callable[[ControllerModel, Mechanism], CompiledLaw | 
     ControllerKind.CASCADED_P_PI: cascaded_p_pi,
     ControllerKind.COMPUTED_TORQUE: computed_torque,
     ControllerKind.FILE: law_of_file,
+    ControllerKind.FLOW_LOAD_DAMPING: flow_load_damping,
+    ControllerKind.PARALLEL_PI: parallel_pi,
 }
 """Without the ideal one: no drive follows it."""
 

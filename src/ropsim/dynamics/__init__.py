@@ -29,7 +29,9 @@ from ropsim.dynamics.drives import chain_of as chain_of
 from ropsim.dynamics.drives import command_band as command_band
 from ropsim.dynamics.drives import command_limit as command_limit
 from ropsim.dynamics.drives import drive_fault as drive_fault
+from ropsim.dynamics.drives import flow_into as flow_into
 from ropsim.dynamics.drives import friction_steepness as friction_steepness
+from ropsim.dynamics.drives import least_opening as least_opening
 from ropsim.dynamics.drives import range_fault as range_fault
 from ropsim.dynamics.drives import reflected_inertia as reflected_inertia
 from ropsim.dynamics.drives import steady_drive as steady_drive
@@ -42,6 +44,7 @@ from ropsim.dynamics.elastic_gears import with_rigid_gears as with_rigid_gears
 from ropsim.dynamics.gravity_loads import gravity_loads as gravity_loads
 from ropsim.dynamics.greatest_gravity import greatest_gravity_loads as greatest_gravity_loads
 from ropsim.dynamics.inertia import barycentric as barycentric
+from ropsim.dynamics.loaded_arm import trace_loaded_inertias as trace_loaded_inertias
 from ropsim.dynamics.loaded_arm import trace_loaded_inverse as trace_loaded_inverse
 from ropsim.dynamics.loaded_arm import trace_loaded_links as trace_loaded_links
 from ropsim.dynamics.long_arms.long_arm import chain_acceleration_code as chain_acceleration_code

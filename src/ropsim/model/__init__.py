@@ -68,11 +68,13 @@ from ropsim.model.controller import ComputedTorqueGains as ComputedTorqueGains
 from ropsim.model.controller import ControllerKind as ControllerKind
 from ropsim.model.controller import ControllerModel as ControllerModel
 from ropsim.model.controller import CorrectionLimits as CorrectionLimits
+from ropsim.model.controller import FlowGains as FlowGains
 from ropsim.model.controller import Gains as Gains
 from ropsim.model.controller import LookAhead as LookAhead
 from ropsim.model.controller import NoGains as NoGains
 from ropsim.model.controller import OrientationMode as OrientationMode
 from ropsim.model.controller import PathDefaults as PathDefaults
+from ropsim.model.controller import PiGains as PiGains
 from ropsim.model.controller import Rates as Rates
 from ropsim.model.controller import ShortLines as ShortLines
 from ropsim.model.controller import Synchronisation as Synchronisation
@@ -146,6 +148,9 @@ from ropsim.model.geometry.outlines import capsule as capsule
 from ropsim.model.geometry.outlines import circle as circle
 from ropsim.model.geometry.outlines import polygon as polygon
 from ropsim.model.geometry.rod import rod as rod
+from ropsim.model.joint_sensors import MEASURED as MEASURED
+from ropsim.model.joint_sensors import JointSensor as JointSensor
+from ropsim.model.joint_sensors import JointSensors as JointSensors
 from ropsim.model.law_file import DIAGRAM_ENDINGS as DIAGRAM_ENDINGS
 from ropsim.model.law_file import MODULE_ENDING as MODULE_ENDING
 from ropsim.model.law_file import LawFile as LawFile

@@ -9,7 +9,7 @@ import pytest
 from ropsim.codegen import Engine
 from ropsim.controller import CompiledLaw, LawError, LawInput, LawTraits, law_model
 from ropsim.core import Diagnostic
-from ropsim.dynamics import inverse_dynamics
+from ropsim.dynamics import inverse_dynamics, mass_matrix
 from ropsim.model import Drive, ElasticGear, Friction, Payload, RobotModel
 from ropsim.simulation import Servo, ServoState, linear_loop
 from ropsim.spatial import Array
@@ -113,6 +113,7 @@ def law(par, state, ref, drive, model, work, load, out):
         for j in range(out.shape[0]):
             work[k, j] = par[k, j]
     inverse(model, work[0], work[1], work[2], load, work[tau])
+    inertias(model, work[0], load, work[inertia])
     transmission(model, work[0], work[ratio], work[slope], work[place])
     for j in range(out.shape[0]):
         state[0, j] = work[tau, j]
@@ -121,14 +122,15 @@ def law(par, state, ref, drive, model, work, load, out):
         state[3, j] = work[place, j]
         state[4, j] = drive[area_a, j]
         state[5, j] = drive[supply_pressure, j]
+        state[6, j] = work[inertia, j]
         out[j] = 0.0
 """
-WORK = ("q", "qd", "qdd", "tau", "ratio", "slope", "place")
+WORK = ("q", "qd", "qdd", "tau", "ratio", "slope", "place", "inertia")
 
 
 def _knowing(believed: RobotModel) -> CompiledLaw:
     names = ("at", "speed", "acceleration")
-    traits = LawTraits(state_names=("tau", "ratio", "slope", "place", "area", "supply"))
+    traits = LawTraits(state_names=("tau", "ratio", "slope", "place", "area", "supply", "inertia"))
     model = law_model(believed)
     return CompiledLaw("knowing", KNOWING, names, MOTION, traits, model=model, work_names=WORK)
 
@@ -138,6 +140,9 @@ def test_a_law_knows_the_equations_of_motion_with_its_load(engine: Engine) -> No
     robot = hydraulic_arm()
     found = _after(_knowing(robot), robot, engine, 1).law
     np.testing.assert_allclose(found[0], inverse_dynamics(robot, *MOTION, payload=BOX), rtol=1e-12)
+    diagonal = np.diagonal(mass_matrix(robot, MOTION[0], BOX))
+    np.testing.assert_allclose(found[6], diagonal, rtol=1e-12)
+    np.testing.assert_array_equal(law_model(robot).inertias(MOTION[0], BOX), diagonal)
     np.testing.assert_allclose(
         law_model(robot).inverse(MOTION[0], MOTION[1], MOTION[2], BOX), found[0], rtol=1e-12
     )

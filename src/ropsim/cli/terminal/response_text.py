@@ -80,7 +80,13 @@ def response_text(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> str
         for one, ratio in zip(frequencies[:_SLOWEST].tolist(), ratios[:_SLOWEST].tolist(), strict=True)
     ]
     lines.append(f"slowest modes: {', '.join(shown)}" if shown else "no mode of the loops oscillates")
-    lines.append("margins and modes: about the rest, without dry friction, play, and limits of amplifiers")
+    left_out = "dry friction, play, and limits of amplifiers"
+    sensors = rest.controller.sensors.sensors
+    if sensors:
+        left_out += "; of sensors with delays and rates, without steps and noise"
+        names = ", ".join(one.quantity for one in sensors)
+        lines.append(f"responses: with the sensors of the cell for {names}, their steps and noise")
+    lines.append(f"margins and modes: about the rest, without {left_out}")
     return "\n".join(lines) + "\n"
 
 

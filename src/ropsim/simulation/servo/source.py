@@ -5,6 +5,7 @@ from ropsim.controller import CompiledLaw, law_code, law_functions
 from ropsim.dynamics import ArmStructure
 from ropsim.simulation.servo.log import LogLayout, floors
 from ropsim.simulation.servo.plant_code import plant_code
+from ropsim.simulation.servo.sensing import Sensing
 from ropsim.simulation.servo.state import StateLayout
 
 SLICE_SIGNATURE = (
@@ -14,17 +15,23 @@ SLICE_SIGNATURE = (
 )
 
 
-def servo_functions(structure: ArmStructure, law: CompiledLaw) -> tuple[SourceFunction, ...]:
+NO_SENSORS = Sensing(())
+
+
+def servo_functions(
+    structure: ArmStructure, law: CompiledLaw, sensing: Sensing = NO_SENSORS
+) -> tuple[SourceFunction, ...]:
     """Return the functions of the slice module; `run_slice` is the last."""
     return (
         *plant_code(structure).functions,
+        *sensing.functions,
         *law_functions(law),
         law_code(law).function,
-        SourceFunction("run_slice", SLICE_SIGNATURE, _slice_text(structure, law)),
+        SourceFunction("run_slice", SLICE_SIGNATURE, _slice_text(structure, law, sensing)),
     )
 
 
-def _slice_text(structure: ArmStructure, law: CompiledLaw) -> str:
+def _slice_text(structure: ArmStructure, law: CompiledLaw, sensing: Sensing) -> str:
     """Return `run_slice`: law, amplifiers and `plant_steps` Runge-Kutta steps for every tick, log and tally.
 
     The steps are as in the classical method. The law receives the values at the beginning of a tick: the
@@ -52,7 +59,8 @@ def _slice_text(structure: ArmStructure, law: CompiledLaw) -> str:
         for axis, place in enumerate(places)
         if place is not None
     )
-    arguments, rows = _arguments(law)
+    arguments, rows = _arguments(law, sensing)
+    measured = "\n        measure(frame, sensors, kept, tick + k)" if sensing.channels else ""
     amplified = _delayed(n, traits.delay) if traits.delay else "amplify(out, constants, u)"
     log = LogLayout.of(structure.drives)
     q_ref, qd_ref = log.field("q_ref").first, log.field("qd_ref").first
@@ -79,7 +87,7 @@ def run_slice(
         for j in range({n}):
             seen[0, j] = x[j]
             seen[1, j] = x[{n} + j]{at_motors}
-        efforts(x, u, constants, seen[2]){sensed}
+        efforts(x, u, constants, seen[2]){sensed}{measured}
         law({arguments})
         {amplified}
         for _ in range(plant_steps):
@@ -137,22 +145,27 @@ def frame_rows(law: CompiledLaw) -> int:
     return 4 + len(law.traits.sensed) + len(law.work_names)
 
 
-def _arguments(law: CompiledLaw) -> tuple[str, str]:
+def _arguments(law: CompiledLaw, sensing: Sensing) -> tuple[str, str]:
     """Return the arguments of the call of a law, and the statements that make the arrays only some have."""
     first, last = len(law.parameter_names), 4 + len(law.traits.sensed)
+    end = first + (len(law.model.rows) if law.model else 0)
     below = first + (len(law.model.drive_names) if law.model else 0)
     made = {
         "sensed": ("given", f"given = frame[4:{last}]"),
         "work": ("work", f"work = frame[{last}:{frame_rows(law)}]"),
         "drive": ("drive", f"drive = par[{first}:{below}]"),
-        "model": ("model", f"model = par[{below}:].reshape(-1)"),
+        "model": ("model", f"model = par[{below}:{end}].reshape(-1)"),
     }
     names = {"par": "par", "state": "memory", "meas": "seen", "aux": "aux[k]"}
-    if law.model:
+    if law.model or sensing.channels:
         names["par"] = f"par[:{first}]"
     names |= {name: used for name, (used, _) in made.items()}
     arguments = law_code(law).arguments
     needed = [text for name, (_, text) in made.items() if name in arguments]
     if law.traits.sensed and made["sensed"][1] not in needed:
         needed.append(made["sensed"][1])
+    if sensing.channels:
+        rows = len(law.traits.state_names)
+        needed += [f"sensors = par[{end}:]", f"kept = memory[{rows}:]"]
+        names["state"] = f"memory[:{rows}]"
     return ", ".join(names.get(name, name) for name in arguments), "".join(f"\n    {one}" for one in needed)

@@ -15,8 +15,8 @@ class StateLayout:
     """Where things stand in the state vector.
 
     In order: q, qd, states of the drives, outputs of their amplifiers, the reference in force, outputs of the
-    law that do not act yet, states of the law. The first three are integrated; the others change at control
-    ticks.
+    law that do not act yet, states of the law, those of the sensors. The first three are integrated; the
+    others change at control ticks.
 
     Attributes:
         n: number of joints.
@@ -24,6 +24,7 @@ class StateLayout:
         integrated: how many numbers the equations of motion have.
         delay: rows of n outputs on their way from the law to the amplifiers, the oldest first.
         law_rows: rows of n numbers that the law remembers.
+        sensor_rows: rows of n numbers that sensors hold, or that are on their way from them.
     """
 
     n: int
@@ -31,20 +32,21 @@ class StateLayout:
     integrated: int
     delay: int
     law_rows: int
+    sensor_rows: int = 0
 
     @classmethod
-    def of(cls, chains: tuple[DriveChain, ...], traits: LawTraits) -> "StateLayout":
-        """Return the layout of an arm with these drives under a law."""
+    def of(cls, chains: tuple[DriveChain, ...], traits: LawTraits, sensor_rows: int = 0) -> "StateLayout":
+        """Return the layout of an arm with these drives under a law whose sensors keep some rows."""
         n = len(chains)
         names = tuple(tuple(state.name for state in chain.states) for chain in chains)
         drives = fields(names, 2 * n)
         integrated = drives[-1].place.stop if drives else 2 * n
-        return cls(n, drives, integrated, traits.delay, len(traits.state_names))
+        return cls(n, drives, integrated, traits.delay, len(traits.state_names), sensor_rows)
 
     @property
     def size(self) -> int:
         """Return the length of the vector."""
-        return self.integrated + (4 + self.delay + self.law_rows) * self.n
+        return self.integrated + (4 + self.delay + self.law_rows + self.sensor_rows) * self.n
 
     @property
     def q(self) -> slice:
@@ -76,7 +78,8 @@ class StateLayout:
     @property
     def law(self) -> slice:
         """Return the place of the states of the law, by rows."""
-        return slice(self.pending.stop, self.size)
+        first = self.pending.stop
+        return slice(first, first + self.law_rows * self.n)
 
     def in_force(self, values: Array) -> Array:
         """Return the reference in force, shape (3, n); a view of a state vector."""
@@ -89,6 +92,14 @@ class StateLayout:
     def memory(self, values: Array) -> Array:
         """Return the states of the law, shape (law_rows, n); a view of a state vector."""
         return values[self.law].reshape(self.law_rows, self.n)
+
+    def kept(self, values: Array) -> Array:
+        """Return what sensors hold, shape (sensor_rows, n); a view of a state vector."""
+        return values[self.law.stop :].reshape(self.sensor_rows, self.n)
+
+    def remembered(self, values: Array) -> Array:
+        """Return the states of the law and below them what sensors hold; a view of a state vector."""
+        return values[self.pending.stop :].reshape(-1, self.n)
 
     @property
     def measured_speeds(self) -> tuple[int, ...]:

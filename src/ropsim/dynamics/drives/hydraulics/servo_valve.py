@@ -111,6 +111,11 @@ def flow_into(record: Hydraulic, pressure: float, opening: float) -> float:
     return edge * (_edge(record, opening) * into - _edge(record, -opening) * out)
 
 
+def least_opening(record: Hydraulic) -> float:
+    """Return x0 of `_trace_edge`: the opening to which the null flow of a closed edge corresponds."""
+    return _least(record)
+
+
 def crossing(grows: Callable[[float], float], most: float) -> float:
     """Return where a function that grows is 0, by halving.
 
