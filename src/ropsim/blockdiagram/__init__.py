@@ -47,6 +47,8 @@ from ropsim.blockdiagram.kinds.parallel import pi_controller as pi_controller
 from ropsim.blockdiagram.kinds.parallel import pid_controller as pid_controller
 from ropsim.blockdiagram.kinds.states import multivariable as multivariable
 from ropsim.blockdiagram.kinds.states import state_feedback as state_feedback
+from ropsim.blockdiagram.published import published_controller as published_controller
+from ropsim.blockdiagram.published import published_controllers as published_controllers
 from ropsim.blockdiagram.reading import ReadDiagram as ReadDiagram
 from ropsim.blockdiagram.reading import read_diagram as read_diagram
 from ropsim.blockdiagram.signals import SLIDING as SLIDING

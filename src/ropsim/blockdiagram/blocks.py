@@ -1,6 +1,6 @@
 """The blocks of a diagram: records without behaviour.
 
-Lists of numbers have one number for all elements of the output, or one for each. T is the period of the
+Lists of numbers contain one number for all elements of the output, or one for each. T is the period of the
 controller, k the control tick, u an input, y the output.
 """
 
@@ -96,7 +96,7 @@ class TransferFunction(Block):
     Attributes:
         numerator: coefficients, the highest power first.
         denominator: coefficients, the highest power first.
-        method: the polynomials are those of s, or of z with `discrete`.
+        method: the polynomials are in s, or in z with `discrete`.
         sample_time: T [s].
     """
 
@@ -122,7 +122,7 @@ class Integrator(Block):
 
 
 class AntiWindup(StrEnum):
-    """What the integral of a PID block does while the output is at its limit.
+    """Behaviour of the integral of a PID block while the output is at its limit.
 
     It goes on, stands still while the error would drive the output further, or is drawn back.
     """
@@ -231,7 +231,7 @@ class Notch(Block):
 
 @frozen_dataclass
 class MovingFilter(Block):
-    """The mean of the present input and those of the control ticks before, `ticks` in all."""
+    """The mean of the present input and the inputs of the control ticks before, `ticks` in all."""
 
     ticks: int
 

@@ -1,6 +1,17 @@
-"""Findings in block diagrams of controllers (codes C620 to C627)."""
+"""Findings in block diagrams of controllers (codes C619 to C627)."""
 
 from ropsim.core import RopsimError, Severity, define
+
+NOT_PUBLISHED = define(
+    "C619",
+    "no-published-controller",
+    Severity.ERROR,
+    "a published controller that does not come with ropsim",
+    """
+`ropsim.blockdiagram.published_controllers()` names the controllers that come with ropsim as files, each for
+the robot model of its name.
+""",
+)
 
 NOT_A_DIAGRAM = define(
     "C620",

@@ -9,7 +9,7 @@ from ropsim.model import InputKind
 
 
 class OutputKind(StrEnum):
-    """What a controller puts out; `drive_input` is the own kind of each drive."""
+    """Kind of the output of a controller; `drive_input` is the own kind of each drive."""
 
     VOLTAGE = "voltage"
     EFFORT = "effort"
@@ -28,7 +28,7 @@ INPUT_KINDS = {
 
 @frozen_dataclass
 class Link:
-    """Elements of a signal that are those of another one.
+    """Elements of a signal that are elements of another one.
 
     Attributes:
         source: name of the signal that they come from.
@@ -54,7 +54,7 @@ class Diagram:
         description: where it comes from, for readers.
         arm: name of the robot model that it is made for; empty for any of the same axes.
         period: control period [s], the sample time of all blocks.
-        output_kind: what it puts out.
+        output_kind: of its output.
         delay: control ticks between a measurement and the moment when the output made of it acts.
         signals: all of them.
         blocks: all of them.

@@ -1,4 +1,4 @@
-"""Linear blocks in discrete time: transfer functions of s as those of z, with their steady state."""
+"""Linear blocks in discrete time: transfer functions of s converted to z, with their steady state."""
 
 from math import tan
 

@@ -6,7 +6,7 @@ from ropsim.core import frozen_dataclass
 
 
 class Role(StrEnum):
-    """What a signal is outside of the diagram.
+    """Meaning of a signal outside of the diagram.
 
     References, coordinates, speeds and efforts are those of the axes. Speeds are measured at the motors, over
     the ratios of their gears. States of drives are sensed on the side of the motor; the channel of the signal
@@ -57,7 +57,7 @@ TURNING = {
     Role.SPEED: Unit.RADIAN_PER_SECOND,
     Role.EFFORT: Unit.NEWTON_METRE,
 }
-"""Units of what belongs to an axis that turns."""
+"""Units of the quantities of an axis that turns."""
 SLIDING = {
     Role.REFERENCE_COORDINATE: Unit.METRE,
     Role.REFERENCE_SPEED: Unit.METRE_PER_SECOND,

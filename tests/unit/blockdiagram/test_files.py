@@ -48,7 +48,7 @@ def kinds() -> dict[str, Diagram]:
         "pi": pi_controller(TWO, 3.0, (1.0, 2.0), limits),
         "pid": pid_controller(TWO, (3.0, 1.0, 0.1), filter_time=0.01, setpoint_weight=0.7),
         "p_pi": cascade(TWO, gains),
-        "motor_p_pi": motor_cascade(TURN, CascadeGains(5.0, 0.5, 10.0), -105.0),
+        "motor_p_pi": motor_cascade(TURN, CascadeGains(5.0, 0.5, 10.0), -105.0, (True,)),
         "state_feedback": state_feedback(TWO, [[3.0, 0.5], [0.1, 4.0]], (0.3, 0.4), 2.0),
         "multivariable": multivariable(TURN, [[0.5]], [[1.0, 2.0]], [[3.0]], [[4.0, 5.0]]),
         "computed_torque": computed_torque(DRIVES, 400.0, 40.0, 100.0),

@@ -15,7 +15,7 @@ MOST = 50
 """Faults of a diagram that are reported."""
 _NAMED = 6  # blocks of a loop that a message names
 _CHECKS = (name_faults, size_faults, number_faults, wire_faults, unit_faults)
-"""Each takes for granted that those before it have found nothing."""
+"""Each relies on the checks before it."""
 
 
 def faults_of(diagram: Diagram) -> tuple[Fault, ...]:
@@ -35,7 +35,7 @@ def check_diagram(diagram: Diagram) -> None:
     """Make sure that a diagram has no faults.
 
     Raises:
-        DiagramError: C621 to C625, it has one.
+        DiagramError: C621 to C625, a check fails.
     """
     found = faults_of(diagram)
     if found:

@@ -39,7 +39,7 @@ class Adaptation:
 
 
 def model_reference_adaptive(axes: Axes, numbers: Adaptation) -> Diagram:
-    """Return the controller that lets each axis follow a reference model and estimates what it moves.
+    """Return the controller that follows a reference model and estimates mass, friction and load of axes.
 
     With e = q - q_m, s = ė + λ·e and v = q̈_m - λ·ė: τ = m̂·v + b̂·q̇ + ĉ - k·s, and m̂' = -γ_m·v·s,
     b̂' = -γ_b·q̇·s, ĉ' = -γ_c·s. The Lyapunov function m·s²/2 + Σ(error of an estimate)²/(2γ) falls by k·s²,
@@ -95,7 +95,7 @@ def _reference_model(to: Drawing, frequency: tuple[float, ...]) -> tuple[str, st
 
 
 def _adapted(to: Drawing, name: str, adapted: tuple[str, Given, Given], regressor: str) -> str:
-    """Add an estimate, and its product with what it belongs to."""
+    """Add an estimate, and its product with its regressor."""
     slope, rate, first = adapted
     estimate = to.inner(f"{name}_estimate", (Unit.OTHER,))
     falling = tuple(-one for one in to.each(f"{name}_rate", rate))

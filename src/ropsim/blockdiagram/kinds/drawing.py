@@ -33,7 +33,7 @@ class Axes:
     Attributes:
         measures: which of them turn and which slide.
         period: control period [s].
-        output_kind: what the drives take; with `drive_input` efforts become it by the model of the drives.
+        output_kind: the input of the drives; with `drive_input` efforts become it by the model of the drives.
     """
 
     measures: tuple[JointType, ...]
@@ -46,7 +46,7 @@ class Axes:
         return len(self.measures)
 
     def units(self, role: Role) -> tuple[Unit, ...]:
-        """Return the units of what belongs to the axes."""
+        """Return the units of a quantity of the axes."""
         if role is Role.OUTPUT or role not in TURNING:
             return (OUTPUT_UNITS.get(self.output_kind, Unit.OTHER),)
         return tuple((TURNING if one is JointType.REVOLUTE else SLIDING)[role] for one in self.measures)
@@ -142,7 +142,7 @@ class Drawing:
         return self.signal_of(Signal("u", self.axes.n, self.axes.units(Role.OUTPUT), Role.OUTPUT))
 
     def signal_of(self, signal: Signal) -> str:
-        """Take a signal as it is and return its name."""
+        """Add a given signal and return its name."""
         self._signals[signal.name] = signal
         return signal.name
 

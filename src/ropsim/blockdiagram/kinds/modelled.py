@@ -1,4 +1,4 @@
-"""Controllers that know the model of the arm: computed torque, impedance, hybrid force."""
+"""Controllers with the model of the arm: computed torque, impedance, hybrid force."""
 
 import numpy as np
 
@@ -41,7 +41,7 @@ def computed_torque(axes: Axes, kp: Given, kd: Given, ki: Given = 0.0) -> Diagra
 def impedance(axes: Axes, stiffness: Given, damping: Given) -> Diagram:
     """Return the controller that lets each axis be a spring with a damper about its reference.
 
-    τ = g(q) + K·(q_ref - q) + D·(qd_ref - qd): under a constant force an axis gives way by force/stiffness
+    τ = g(q) + K·(q_ref - q) + D·(qd_ref - qd): under a constant force an axis deflects by force/stiffness
     (N. Hogan: Impedance control, J. Dyn. Sys. Meas. Control 107 (1985), 1-24, in joint coordinates). Dry
     friction of the drives is not made up for.
 

@@ -7,11 +7,11 @@ Springer 2001, for the cascade.
 import numpy as np
 
 from ropsim.blockdiagram import blocks as b
-from ropsim.blockdiagram.diagram import Diagram, OutputKind
+from ropsim.blockdiagram.diagram import Diagram, Link, OutputKind
 from ropsim.blockdiagram.kinds.drawing import Axes, Drawing, Given
-from ropsim.blockdiagram.signals import Role, Signal, Unit
+from ropsim.blockdiagram.signals import Role, Signal
 from ropsim.core import frozen_dataclass
-from ropsim.model import JointType
+from ropsim.spatial import Array
 
 
 @frozen_dataclass
@@ -136,62 +136,50 @@ def cascade(axes: Axes, gains: CascadeGains, limits: Limits = NO_LIMITS) -> Diag
     """
     to = Drawing("p_pi", axes)
     error = to.difference("error", Role.REFERENCE_COORDINATE, Role.COORDINATE)
-    return _cascade(to, error, to.signal(Role.SPEED), gains, limits, np.ones(axes.n))
+    return _cascade(to, error, gains, limits, np.ones(axes.n))
 
 
 def motor_cascade(
     axes: Axes,
     gains: CascadeGains,
     ratios: Given,
+    elastic: tuple[bool, ...],
     limits: Limits = NO_LIMITS,
-    coordinate: str = "motor_coordinate",
 ) -> Diagram:
     """Return the cascade on the side of the motors: their angles and speeds are controlled, not the joints.
 
-    References go over the ratios G of the gears. Behind an elastic gear the joint swings on its own, and
-    this loop does not see it.
+    Behind an elastic gear the joint swings on its own, and this loop does not measure that.
 
     Args:
-        axes: that it is for; all have a motor coordinate that can be sensed, or `coordinate` is empty and
-            the coordinate of the joint over the gear stands for it, which is the same behind a rigid gear.
-        gains: on the side of the motor.
-        ratios: G of the gears.
+        axes: that it is for.
+        gains: on the side of the motor: errors and references are multiplied by the ratios of the gears.
+        ratios: of the gears; their signs do not count, since a positive output drives a joint forward.
+        elastic: axes whose motor coordinate is sensed; behind a rigid gear it follows from the joint.
         limits: of the output.
-        coordinate: name of the state of the drives.
     """
-    to, G = Drawing("motor_p_pi", axes), np.asarray(ratios, np.float64) * np.ones(axes.n)
-    turning = (Unit.RADIAN,) if all(one is JointType.REVOLUTE for one in axes.measures) else (Unit.OTHER,)
-    reference = to.gain("reference", G, to.signal(Role.REFERENCE_COORDINATE), turning)
-    if coordinate:
-        motor = to.signal(Role.DRIVE_STATE, coordinate, turning)
-    else:
-        motor = to.gain("motor", G, to.signal(Role.COORDINATE), turning)
-    error = to.sum("error", (reference, motor), (1, -1), turning)
-    speed = to.gain("motor_speed", G, to.signal(Role.SPEED), (Unit.OTHER,))
-    return _cascade(to, error, speed, gains, limits, G)
+    to, G = Drawing("motor_p_pi", axes), np.abs(np.asarray(ratios, np.float64)) * np.ones(axes.n)
+    units = axes.units(Role.COORDINATE)
+    motor = to.inner("motor", units)
+    sides = {True: to.signal(Role.DRIVE_STATE, "motor_coordinate", units), False: to.signal(Role.COORDINATE)}
+    for axis, is_elastic in enumerate(elastic):
+        to.link(Link(sides[is_elastic], axis, motor, axis, 1))
+    error = to.sum("error", (to.signal(Role.REFERENCE_COORDINATE), motor), (1, -1), units)
+    return _cascade(to, error, gains, limits, G)
 
 
-def _cascade(
-    to: Drawing,
-    error: str,
-    speed: str,
-    gains: CascadeGains,
-    limits: Limits,
-    G: "np.ndarray[tuple[int], np.dtype[np.float64]]",
-) -> Diagram:
-    share, ke, ka = (
-        np.asarray(one, np.float64) * G
-        for one in (gains.speed_share, gains.per_speed, gains.per_acceleration)
+def _cascade(to: Drawing, error: str, gains: CascadeGains, limits: Limits, ratios: Array) -> Diagram:
+    """Return a cascade whose gains of the speed loop are those at the axes over the ratios."""
+    kv, ki, ke, ka = (
+        np.asarray(one, np.float64) * ratios
+        for one in (gains.kv, gains.ki, gains.per_speed, gains.per_acceleration)
     )
-    units = to.axes.units(Role.SPEED) if bool((G == 1.0).all()) else (Unit.OTHER,)
-    output = _output(to)
+    units, output = to.axes.units(Role.SPEED), _output(to)
     asked = to.gain("position", gains.kp, error, units)
-    forward = to.gain("speed_forward", share, to.signal(Role.REFERENCE_SPEED), units)
+    forward = to.gain("speed_forward", gains.speed_share, to.signal(Role.REFERENCE_SPEED), units)
     wanted = to.sum("speed_reference", (asked, forward), (1, 1), units)
     out_units = to.axes.efforts if to.axes.output_kind is OutputKind.EFFORT else to.axes.units(Role.OUTPUT)
     parts = [to.gain("back_emf", ke, to.signal(Role.REFERENCE_SPEED), out_units)]
     parts.append(to.gain("inertia", ka, to.signal(Role.REFERENCE_ACCELERATION), out_units))
-    forward_output = to.sum("feed_forward", parts, (1, 1), out_units)
-    inputs = wanted, speed, forward_output
-    to.add(pid_block(to, "speed", inputs, output, (gains.kv, gains.ki, 0.0), limits))
-    return to.done(holding="speed" if np.any(np.asarray(gains.ki, float) != 0.0) else "")
+    inputs = wanted, to.signal(Role.SPEED), to.sum("feed_forward", parts, (1, 1), out_units)
+    to.add(pid_block(to, "speed", inputs, output, (kv, ki, 0.0), limits))
+    return to.done(holding="speed" if np.any(ki != 0.0) else "")

@@ -1,9 +1,9 @@
 """A block diagram as a compiled law: blocks in order, with their numbers as parameters of the law.
 
 At the first tick the memory of the blocks is filled so that they rest on their first inputs, each pass of the
-loop `attempt` with what the one before has found; the integral of the block that holds the arm takes what the
-output lacks to the output that holds the arm. `x[0]` says whether that has been done. Row 0 of the memory is
-written at every tick and depends on nothing, so that it adds no pole to the loop.
+loop `attempt` with the values of the one before; the integral of the block that holds the arm takes the
+difference between the output and the one that holds the arm. `x[0]` says whether that has been done. Row 0 of
+the memory is written at every tick and depends on nothing, so that it adds no pole to the loop.
 """
 
 from collections.abc import Callable
@@ -138,6 +138,7 @@ def _law(diagram: b.Diagram, robot: Mechanism, influence: np.ndarray[Any, Any]) 
             aux=_channels(diagram),
             delay=diagram.delay,
             sensed=sensed,
+            sensed_axes=(),  # `check_fit` has looked at the elements that are read
         ),
         functions=(motion_efforts(robot),) if uses_model else (),
         model=law_model(robot),

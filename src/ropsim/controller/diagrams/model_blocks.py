@@ -1,4 +1,4 @@
-"""Code of blocks that know the model of the arm: torques of a motion, inputs of the amplifiers."""
+"""Code of blocks with the model of the arm: torques of a motion, inputs of the amplifiers."""
 
 from functools import lru_cache
 
@@ -18,7 +18,7 @@ from ropsim.dynamics import (
 from ropsim.model import Mechanism
 
 WORK = ("coordinate", "speed", "acceleration", "motor_speed", "effort")
-"""Rows in which the model of the arm takes a motion and gives its efforts."""
+"""Rows in which the model of the arm takes a motion and returns its efforts."""
 _LOAD = 10
 
 

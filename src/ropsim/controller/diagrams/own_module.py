@@ -9,7 +9,7 @@ from ropsim.model import LawFile
 
 
 def made_by_module(file: LawFile, entry: str, *arguments: object) -> object:
-    """Return what a function of a module of the project returns; the module is run anew.
+    """Return the result of a function of a module of the project; the module is run anew.
 
     Args:
         file: the module.

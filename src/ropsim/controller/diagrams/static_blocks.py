@@ -24,7 +24,7 @@ def matrix_gain(block: b.MatrixGain, to: Written) -> None:
 
 
 def dot(row: tuple[float, ...], inputs: list[str], to: Written) -> str:
-    """Return the product of a row of a matrix and a vector, without what is 0."""
+    """Return the product of a row of a matrix and a vector, without zeros."""
     return total(f"{to.number(one)} * {u}" for one, u in zip(row, inputs, strict=True) if one != 0.0)
 
 

@@ -45,7 +45,7 @@ class Written:
         return first
 
     def memory(self, count: int) -> int:
-        """Return where so many numbers of the memory begin."""
+        """Reserve numbers of the memory and return the place of the first."""
         first = self.size
         self.size += count
         return first

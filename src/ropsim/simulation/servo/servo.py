@@ -119,13 +119,9 @@ class Servo:
         inner = compiled_half(chosen, np.zeros(robot.n))
         check_law(inner, robot)
         sensing = sensing_of(controller, inner)
-        is_own = law is not None or controller.kind is ControllerKind.FILE
+        own = chosen if law is not None or controller.kind is ControllerKind.FILE else None
         kernel = _kernel(
-            robot,
-            inner,
-            sensing if python_law is None else NO_SENSORS,
-            engine or default_engine(),
-            chosen if is_own else None,
+            robot, inner, sensing if python_law is None else NO_SENSORS, engine or default_engine(), own
         )
         layout = StateLayout.of(structure_of(robot), inner.traits, sensing.kept)
         steps = plant_steps_of(robot, controller.rates)
