@@ -23,7 +23,7 @@ def limit_losses(robot: RobotModel, tree: WrittenTree) -> Iterable[Diagnostic]:
 
 def spring_losses(robot: RobotModel) -> Iterable[Diagnostic]:
     """Yield the springs and dampers that go into no other format than NIROX and the robot file."""
-    names = [one.name for one in (*robot.springs, *robot.joint_springs)]
+    names = [one.name for one in robot.springs] + [one.name for one in robot.joint_springs]
     if names:
         words = f"springs and dampers {listed(names)} of `{robot.name}` do not go over"
         yield LOST_MOTION.at(None, words, hint="NIROX holds them", data={"springs": tuple(names)})
