@@ -12,6 +12,7 @@ from ropsim.exchange import write_nirox
 from ropsim.flow import Fidelity, Recording
 from ropsim.kinematics import forward_batch
 from ropsim.model import RobotModel
+from ropsim.robotfile import write_robot_file
 from ropsim.simulation import RunOptions
 from ropsim.spatial import Pose
 from ropsim.workbench import new_robot_project
@@ -60,6 +61,23 @@ def test_the_first_program_of_a_planar_arm_goes_where_its_chains_follow(
     recording = run(project_of(make(), tmp_path))
     assert recording.ok
     assert codes(recording) <= {"S750", "X972"}
+
+
+def test_task_text_runs_on_a_robot_file_with_loops(tmp_path: Path) -> None:
+    """The corners of a line of the tool, by the robot file of an arm with two cylinders."""
+    robot = replace(six_axis_with_cylinders(), drives=())
+    bare = replace(
+        robot, links=tuple(replace(one, mass=0.0, inertia=0.0 * one.inertia) for one in robot.links)
+    )
+    file = tmp_path / "arm.toml"
+    file.write_text(write_robot_file(bare).text, encoding="utf-8")
+    folder = new_robot_project(tmp_path / "cell", str(file))
+    recording = program(
+        folder, "mov home", "lin here offset (0, 120, 0)", "lin here offset (0, -120, 60)", "mov home"
+    )
+    assert recording.ok, recording.findings
+    path = recording.rows("attained_position")
+    assert np.ptp(path[:, 1]) == pytest.approx(0.12, abs=1e-3)
 
 
 def program(folder: Path, *lines: str) -> Recording:
