@@ -16,6 +16,7 @@ from ropsim.dynamics.axis_inertia import free_inertias as free_inertias
 from ropsim.dynamics.axis_inertia import mass_matrices as mass_matrices
 from ropsim.dynamics.axis_inertia import rotor_inertias as rotor_inertias
 from ropsim.dynamics.diagnostics import JointCountError as JointCountError
+from ropsim.dynamics.diagnostics import LoopError as LoopError
 from ropsim.dynamics.diagnostics import MissingMassError as MissingMassError
 from ropsim.dynamics.diagnostics import ModelNumberError as ModelNumberError
 from ropsim.dynamics.diagnostics import StateShapeError as StateShapeError
@@ -46,6 +47,16 @@ from ropsim.dynamics.loaded_arm import trace_loaded_inverse as trace_loaded_inve
 from ropsim.dynamics.loaded_arm import trace_loaded_links as trace_loaded_links
 from ropsim.dynamics.long_arms.long_arm import chain_acceleration_code as chain_acceleration_code
 from ropsim.dynamics.long_arms.long_arm import chain_numbers as chain_numbers
+from ropsim.dynamics.loops.closed_arm import closed_coordinates as closed_coordinates
+from ropsim.dynamics.loops.fastened import spring_numbers as spring_numbers
+from ropsim.dynamics.loops.free_motion import FreeMotion as FreeMotion
+from ropsim.dynamics.loops.free_motion import free_motion as free_motion
+from ropsim.dynamics.loops.plant_code import GAP as GAP
+from ropsim.dynamics.loops.plant_code import LoopState as LoopState
+from ropsim.dynamics.loops.plant_code import motion_code as motion_code
+from ropsim.dynamics.loops.plant_code import plant_formulas as plant_formulas
+from ropsim.dynamics.loops.tree_motion import SpringLengths as SpringLengths
+from ropsim.dynamics.loops.tree_motion import spring_lengths as spring_lengths
 from ropsim.dynamics.model_check import check_model as check_model
 from ropsim.dynamics.moved_masses import check_moved_masses as check_moved_masses
 from ropsim.dynamics.moved_masses import massless_axes as massless_axes

@@ -60,7 +60,7 @@ def trace_loaded_links(
     q, qdd = motion
     zero = tracer.constant(0.0)
     arm = _loaded(trace_arm(tracer, structure, numbers, q), load)
-    weightless = replace(arm, base_acceleration=(zero, zero, zero))
+    weightless = replace(arm, base_acceleration=(zero, zero, zero), springs=(), sprung=())
     return trace_inverse(weightless, [zero] * structure.n, list(qdd))
 
 

@@ -23,6 +23,7 @@ from ropsim.kinematics.chain.chain_kernel import POSES as POSES
 from ropsim.kinematics.chain.chain_kernel import forward_rows as forward_rows
 from ropsim.kinematics.chain.closed_motion import JointMotion as JointMotion
 from ropsim.kinematics.chain.closed_motion import joint_motion as joint_motion
+from ropsim.kinematics.chain.closed_motion import loop_gaps as loop_gaps
 from ropsim.kinematics.chain.forward import forward as forward
 from ropsim.kinematics.chain.forward import forward_batch as forward_batch
 from ropsim.kinematics.chain.forward import frames_batch as frames_batch
@@ -42,6 +43,7 @@ from ropsim.kinematics.chain.tool_pose_kernel import write_pose_product as write
 from ropsim.kinematics.chain.tool_pose_kernel import write_tool_pose as write_tool_pose
 from ropsim.kinematics.diagnostics import LOOP_CHANGES as LOOP_CHANGES
 from ropsim.kinematics.diagnostics import LOOP_LOCKS as LOOP_LOCKS
+from ropsim.kinematics.diagnostics import LOOP_LOOSE as LOOP_LOOSE
 from ropsim.kinematics.diagnostics import NO_CLOSED_FORM as NO_CLOSED_FORM
 from ropsim.kinematics.diagnostics import ArrayShapeError as ArrayShapeError
 from ropsim.kinematics.diagnostics import NotFiniteError as NotFiniteError

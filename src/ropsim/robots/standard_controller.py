@@ -108,12 +108,12 @@ def _controller(
 
 
 def _is_modelled(robot: Mechanism) -> bool:
-    """Return whether torques of the model can be commanded: to electric motors, of a chain that is not long.
+    """Return whether torques of the model can be commanded: to electric motors, of a short open chain.
 
     Straight-line code of a long chain takes long to compile.
     """
     levers = any(isinstance(drive.transmission, Linkage) for drive in robot.drives)
-    return not (levers or hydraulic_axes(robot) or structure_of(robot).is_long)
+    return not (levers or hydraulic_axes(robot) or structure_of(robot).is_long or robot.cuts)
 
 
 def _origin(statement: str) -> ParameterOrigin:

@@ -68,6 +68,17 @@ def joint_motion(
     return JointMotion(*found)
 
 
+def loop_gaps(mechanism: Mechanism, Q: npt.ArrayLike) -> Array:
+    """Return the most that is left between frames of closed chains for axes at Q (k, n) [m, rad], shape (k,).
+
+    Raises:
+        ArrayShapeError: M551, Q has another shape.
+        MechanismError: the mechanism cannot be.
+    """
+    rows = joint_rows(mechanism, Q)
+    return closed_states(closed_arrays(mechanism), rows)[1][:, 1] if mechanism.cuts else np.zeros(len(rows))
+
+
 def jacobians_of_loops(loops: ClosedArrays, rows: Array, X_MT: Array) -> tuple[Array, Array]:
     """Return X_BT (k, 4, 4) and the Jacobians of its origin (k, 6, n) for axes at rows (k, n)."""
     states = closed_states(loops, rows)[0]

@@ -153,7 +153,7 @@ def _law(law: CompiledLaw, robot: RobotModel, x: Array, payload: Payload) -> tup
     for one in law.functions:
         exec(one.text, scope)
     exec(law.source, scope)
-    layout = StateLayout.of(structure_of(robot).drives, law.traits)
+    layout = StateLayout.of(structure_of(robot), law.traits)
     n, s, speeds = robot.n, layout.integrated, list(layout.measured_speeds)
     numbers = np.array(barycentric(payload.mass, payload.com, payload.inertia))
     signals = np.zeros(len(law.traits.aux)) if law.traits.aux else _NO_SIGNALS

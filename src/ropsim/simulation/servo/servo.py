@@ -12,6 +12,7 @@ from ropsim.dynamics import (
     arm_numbers,
     barycentric,
     check_model,
+    closed_coordinates,
     identifier,
     structure_of,
 )
@@ -106,7 +107,7 @@ class Servo:
         inner = compiled_half(chosen, np.zeros(robot.n))
         check_law(inner, robot)
         kernel = _kernel(robot, inner, engine or default_engine(), law)
-        layout = StateLayout.of(structure_of(robot).drives, inner.traits)
+        layout = StateLayout.of(structure_of(robot), inner.traits)
         steps = plant_steps_of(robot, controller.rates)
         rates = replace(controller.rates, plant_steps=steps)
         bench = _Bench.of(kernel, inner, layout, rates, robot)
@@ -129,6 +130,7 @@ class Servo:
 
         Raises:
             ServoArrayError: `q` has another shape or is not finite.
+            LoopError: M592, closed chains do not close there.
         """
         n = self.robot.n
         start = check_vector("q", q, n)
@@ -136,6 +138,8 @@ class Servo:
         values = np.zeros(layout.size)
         values[layout.q] = start
         layout.in_force(values)[0] = start
+        if self.robot.cuts:
+            values[list(layout.loops.passive)] = closed_coordinates(self.robot, start)
         memory, pending = layout.memory(values), layout.waiting(values)
         for k, held in enumerate(held_drives(self.robot, start, payload)):
             values[list(layout.drive(k))] = held.states

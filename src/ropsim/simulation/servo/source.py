@@ -28,16 +28,16 @@ def servo_functions(structure: ArmStructure, law: CompiledLaw) -> tuple[SourceFu
 def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
     """Return `run_slice`: law, amplifiers and `plant_steps` Runge-Kutta steps for every tick, log and tally.
 
-    The steps are as in the classical method. The law receives the values at the beginning of a tick: the
-    reference in force and the measurement. At its end the next row of the reference comes into force. A row
-    of the log holds the values at that time, and the output of the amplifiers over the tick. `values` is the
-    state vector; `ref`, `pending` and `memory` are parts of it by rows; `frame` (4, n), `stages` (5, m) and
-    `now` (w,) are work arrays. Every tick enters the tally (4, w): `ends` (2, n) are the ranges of the
-    joints, `full` (w,) are the values that count as limits; for pressures, the judged quantity is the
-    distance below the limit. Arguments that rarely change come first.
+    The steps are as in the classical method; closed chains are settled after each. The law receives the
+    values at the beginning of a tick: the reference in force and the measurement. At its end the next row of
+    the reference comes into force. A row of the log holds the values at that time, and the output of the
+    amplifiers over the tick. `values` is the state vector; `ref`, `pending` and `memory` are parts of it by
+    rows; `frame` (4, n), `stages` (5, m) and `now` (w,) are work arrays. Every tick enters the tally
+    (4, w): `ends` (2, n) are the ranges of the joints, `full` (w,) are the values that count as limits; for
+    pressures, the judged quantity is the distance below the limit. Arguments that rarely change come first.
     """
     n = structure.n
-    layout = StateLayout.of(structure.drives, traits)
+    layout = StateLayout.of(structure, traits)
     size = layout.integrated
     motors = [
         f"seen[1, {axis}] = x[{place}]"
@@ -46,6 +46,7 @@ def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
     ]
     at_motors = "".join(f"\n        {line}" for line in motors)
     amplified = _delayed(n, traits.delay) if traits.delay else "amplify(out, constants, u)"
+    settled = "\n            settle(x, constants)" if structure.cuts else ""
     log = LogLayout.of(structure.drives)
     q_ref, qd_ref = log.field("q_ref").first, log.field("qd_ref").first
     q = log.field("q").first
@@ -86,7 +87,7 @@ def run_slice(
                 y[j] = x[j] + h * k3[j]
             derivative(y, u, constants, k4)
             for j in range({size}):
-                x[j] += sixth * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j])
+                x[j] += sixth * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j]){settled}
         for j in range({n}):
             ref[0, j] = q_ref[k, j]
             ref[1, j] = qd_ref[k, j]

@@ -2,7 +2,7 @@
 
 from ropsim.controller import LawTraits
 from ropsim.core import frozen_dataclass
-from ropsim.dynamics import DriveChain
+from ropsim.dynamics import ArmStructure, LoopState
 from ropsim.simulation.records.fields import Field, fields
 from ropsim.spatial import Array, record
 
@@ -14,9 +14,10 @@ MOTOR_SPEED = "motor_speed"
 class StateLayout:
     """Where things stand in the state vector.
 
-    In order: q, qd, states of the drives, outputs of their amplifiers, the reference in force, outputs of the
-    law that do not act yet, states of the law. The first three are integrated; the others change at control
-    ticks.
+    In order: q, qd, states of the drives, and of closed chains the coordinates that they determine, their
+    speeds and what is left between their frames; outputs of the amplifiers, the reference in force, outputs
+    of the law that do not act yet, states of the law. All before the outputs of the amplifiers is integrated;
+    the others change at control ticks.
 
     Attributes:
         n: number of joints.
@@ -24,6 +25,7 @@ class StateLayout:
         integrated: how many numbers the equations of motion have.
         delay: rows of n outputs on their way from the law to the amplifiers, the oldest first.
         law_rows: rows of n numbers that the law remembers.
+        passive: number of coordinates that closed chains determine.
     """
 
     n: int
@@ -31,15 +33,18 @@ class StateLayout:
     integrated: int
     delay: int
     law_rows: int
+    passive: int = 0
 
     @classmethod
-    def of(cls, chains: tuple[DriveChain, ...], traits: LawTraits) -> "StateLayout":
-        """Return the layout of an arm with these drives under a law."""
+    def of(cls, structure: ArmStructure, traits: LawTraits) -> "StateLayout":
+        """Return the layout of an arm of this structure, with drives, under a law."""
+        chains, p = structure.drives, structure.passive
         n = len(chains)
         names = tuple(tuple(state.name for state in chain.states) for chain in chains)
         drives = fields(names, 2 * n)
         integrated = drives[-1].place.stop if drives else 2 * n
-        return cls(n, drives, integrated, traits.delay, len(traits.state_names))
+        integrated += 2 * p + 1 if p else 0
+        return cls(n, drives, integrated, traits.delay, len(traits.state_names), p)
 
     @property
     def size(self) -> int:
@@ -55,6 +60,13 @@ class StateLayout:
     def qd(self) -> slice:
         """Return the place of the joint speeds [rad/s | m/s]."""
         return slice(self.n, 2 * self.n)
+
+    @property
+    def loops(self) -> LoopState:
+        """Return the places of all coordinates and speeds, in an arm with closed chains."""
+        p, gap = self.passive, self.integrated - 1
+        drives = range(2 * self.n, gap - 2 * p)
+        return LoopState(self.n, range(gap - 2 * p, gap - p), range(gap - p, gap), drives, gap)
 
     @property
     def output(self) -> slice:
