@@ -11,6 +11,7 @@ from ropsim.cellfile.robots.external_axes import ExternalAxes, read_external_axe
 from ropsim.cellfile.robots.law_file import with_law_file
 from ropsim.cellfile.robots.sensors import read_sensors, sensor_words
 from ropsim.core import RopsimError
+from ropsim.kinematics import follower_limits
 from ropsim.model import (
     GAIN_NAMES,
     LAW_WORDS,
@@ -30,7 +31,6 @@ from ropsim.model import (
     Station,
     Synchronisation,
     axes_words,
-    coupled_limits,
     gain_names,
     with_axis_limits,
 )
@@ -182,7 +182,7 @@ def _start(table: TomlTable, model: RobotModel, units: Units) -> Array:
         message = f"joint `{joint.name}` would start at {found}, its limits are {lower} and {upper}"
         hint = "without `start` the arm starts at its home position"
         table.findings.add(kinds.START_OUTSIDE_LIMITS, table.value_span("start", k), message, hint)
-    coupled = coupled_limits(model)
+    coupled = follower_limits(model)
     for joint, value, beyond in zip(
         coupled.joints, coupled.values(start).tolist(), coupled.excess(start).tolist(), strict=True
     ):

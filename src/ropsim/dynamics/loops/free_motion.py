@@ -20,7 +20,8 @@ class FreeMotion(NamedTuple):
     Attributes:
         y: coordinates of the axes, then those that closed chains determine [rad | m], shape (k, n + p).
         yd: their speeds, shape (k, n + p).
-        gap: the most that is left between frames of closed chains [m, rad], shape (k,).
+        gap: the most that a step of the integration leaves between frames of closed chains, before they are
+            put together again [m, rad], shape (k,).
     """
 
     y: Array

@@ -21,8 +21,8 @@ from ropsim.dynamics.traced.traced_arm import TracedArm
 GAP = 1e-9
 """Frames that are farther apart than this have come apart [m, rad]."""
 
-SETTLED = 1e-11
-"""What is left between frames that needs no second step [m, rad]."""
+SETTLED = 1e-9
+"""What is left between frames that needs no second step [m, rad]: its square is left behind the first."""
 
 ROUNDS = 8
 """Most steps of Newton's method behind a step of the integration."""

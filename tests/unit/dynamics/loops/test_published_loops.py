@@ -47,7 +47,7 @@ def test_the_four_bars_pass_their_singular_pose(held: tuple[Direction, ...]) -> 
     motion = free_motion(robot, up + down, v, 1e-3, 10_000, every=500)
     rows = [round(time / 0.5) for time in TIMES]
     assert np.abs(tips(motion.y)[rows] - TIPS).max() < 2e-9  # found 1e-10
-    assert motion.gap.max() < 1e-12
+    assert motion.gap.max() < 1e-9
     cranks = motion.yd[:, : FOUR_BARS + 1]
     assert np.abs(cranks - cranks[:, :1]).max() < 1e-6
 
@@ -56,7 +56,7 @@ def test_andrews_mechanism_ends_where_published() -> None:
     motion = free_motion(andrews(), ANDREWS_START, np.zeros(7), 1e-5, 3000, tau=[ANDREWS_TORQUE], every=3000)
     assert np.abs(motion.y[-1] - ANDREWS_END).max() < 5e-9  # found 1.5e-9
     assert motion.yd[-1, :3] == pytest.approx([1139.920302151208, -1424.379294994111, 11.03291221937134])
-    assert motion.gap.max() < 1e-12
+    assert motion.gap.max() < 1e-9
 
 
 @pytest.mark.parametrize("robot", [bricard(), four_bars(FOUR_BARS, PIN)], ids=["Bricard", "four bars"])
