@@ -108,9 +108,9 @@ def _step_row(rest: Rest, axis: int, response: TimeResponse) -> Iterator[TableCe
     figures = step_figures(response)
     yield TableCell(_name(rest, axis))
     yield TableCell(f"{float(response.reference[-1]) * scale:.3g}{unit}")
-    yield TableCell(_number(1e3 * figures.rise, "never"))
+    yield TableCell(number(1e3 * figures.rise, "never"))
     yield TableCell(f"{100.0 * figures.overshoot:.1f}")
-    yield TableCell(_number(1e3 * figures.settling, f"over {1e3 * float(response.time[-1]):.0f}"))
+    yield TableCell(number(1e3 * figures.settling, f"over {1e3 * float(response.time[-1]):.0f}"))
     yield TableCell(f"{figures.error * scale:.2g}{unit}")
     yield from _beside(rest, response)
 
@@ -138,12 +138,12 @@ def _margins(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> list[str
             rows.append((name, TableCell("unstable", Tone.ERROR), *(TableCell("-"),) * 6))
             continue
         texts = (
-            _number(one.bandwidth, "-"),
+            number(one.bandwidth, "-"),
             f"{margin.gain:.3g}" if margin.gain < _LARGE else "large",
-            _number(margin.gain_hz, "-"),
+            number(margin.gain_hz, "-"),
             f"{math.degrees(margin.phase):.0f}" if math.isfinite(margin.phase) else "-",
-            _number(margin.phase_hz, "-"),
-            _number(1e3 * margin.delay, "-"),
+            number(margin.phase_hz, "-"),
+            number(1e3 * margin.delay, "-"),
             f"{margin.sensitivity:.2f}",
         )
         rows.append((name, *map(TableCell, texts)))
@@ -181,13 +181,10 @@ def response_document(rest: Rest, tested: Sequence[TestedAxis]) -> dict[str, obj
 
 
 def _axis_entry(rest: Rest, one: TestedAxis) -> dict[str, object]:
-    numbers = {field.name: getattr(one.margins, field.name) for field in fields(one.margins)}
-    stable = numbers.pop("stable")
     return {
         "axis": _name(rest, one.axis),
-        "stable": stable,
-        "margins": {name: _plain(value) for name, value in numbers.items()},
-        "bandwidth_hz": _plain(one.bandwidth),
+        **margins_entry(one.margins),
+        "bandwidth_hz": plain(one.bandwidth),
         "ramp" if rest.is_ramp else "step": one.response and _response_entry(rest, one.response),
         "sweep": one.sweep
         and {
@@ -198,13 +195,20 @@ def _axis_entry(rest: Rest, one: TestedAxis) -> dict[str, object]:
     }
 
 
+def margins_entry(found: Margins) -> dict[str, object]:
+    """Return whether a loop is stable, and its margins; NaN and infinities are null."""
+    numbers = {field.name: plain(getattr(found, field.name)) for field in fields(found)}
+    stable = numbers.pop("stable")
+    return {"stable": stable, "margins": numbers}
+
+
 def _response_entry(rest: Rest, response: TimeResponse) -> dict[str, object]:
     if rest.is_ramp:
         behind, most = lag_of(response)
         figures: dict[str, float | None] = {"behind": behind, "behind_at_most": most}
     else:
         found = step_figures(response)
-        figures = {field.name: _plain(getattr(found, field.name)) for field in fields(found)}
+        figures = {field.name: plain(getattr(found, field.name)) for field in fields(found)}
     return {
         **figures,
         "others": response.others.tolist(),
@@ -224,11 +228,13 @@ def _name(rest: Rest, axis: int) -> str:
     return rest.robot.axis_joints[axis].name
 
 
-def _number(value: float, otherwise: str) -> str:
+def number(value: float, otherwise: str) -> str:
+    """Return a number with three digits and without exponent; another text for NaN and infinities."""
     if not math.isfinite(value):
         return otherwise
     return f"{value:.3g}" if value < _LARGE else f"{value:.0f}"
 
 
-def _plain(value: float) -> float | None:
+def plain(value: float) -> float | None:
+    """Return a number for a document, null for NaN and infinities."""
     return value if math.isfinite(value) else None

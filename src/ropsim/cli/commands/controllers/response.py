@@ -36,6 +36,10 @@ location of the cell that the tool of the station reaches, `--joints` has a numb
 within the range of the joint, ramps below its speed, both in the unit of the axis; sweeps end at half of the
 control rate. A robot whose model has no drives follows its reference exactly: it has no
 loop to test.
+
+`ropsim controller tune` has gains for computed torque and for loops of fixed gains, the laws whose gains
+follow from a bandwidth and a damping ratio: one bandwidth for all axes or one for each, up to a quarter of
+the control rate.
 """,
     Category.USAGE,
 )
@@ -58,7 +62,7 @@ def response(options: argparse.Namespace, output: Output) -> int:
         output.document({"ok": False, **diagnostic_document(project.diagnostics)})
         return code or 1
     output.engine_note()
-    station = _station(cell, options.station)
+    station = tested_station(cell, options.station)
     robot, load = station.robot, _load(station)
     q, place = _rest(cell, station, options)
     axes = range(robot.n) if options.axis is None else (_axis(robot, options.axis),)
@@ -66,7 +70,7 @@ def response(options: argparse.Namespace, output: Output) -> int:
     if options.sweep:
         half = 0.5 * station.controller.rates.control_hz
         if options.sweep[1] > half:
-            raise _not_tested(f"sines go up to half of the control rate, {half:g} Hz", "lower the sweep")
+            raise not_tested(f"sines go up to half of the control rate, {half:g} Hz", "lower the sweep")
         hz = np.geomspace(float(options.sweep[0]), float(options.sweep[1]), _FREQUENCIES)
     tested, findings = list[TestedAxis](), list[Diagnostic]()
     for axis in axes:
@@ -99,12 +103,12 @@ def _change(robot: RobotModel, q: Array, axis: int, options: argparse.Namespace)
         value = -value  # away from the nearer limit
     if unit and unit != ("deg" if turns else "mm"):
         moves = "turns, its unit is deg" if turns else "slides, its unit is mm"
-        raise _not_tested(f"`{unit}` for joint `{joint.name}`, which {moves}", "give the unit of this axis")
+        raise not_tested(f"`{unit}` for joint `{joint.name}`, which {moves}", "give the unit of this axis")
     change = math.radians(value) if turns else 1e-3 * value
     if options.ramp is not None and abs(change) > joint.max_speed:
-        raise _not_tested(f"joint `{joint.name}` is not as quick as this ramp", "give a slower ramp")
+        raise not_tested(f"joint `{joint.name}` is not as quick as this ramp", "give a slower ramp")
     if options.ramp is None and not joint.lower <= q[axis] + change <= joint.upper:
-        raise _not_tested(f"this step takes joint `{joint.name}` beyond its range", "give a smaller step")
+        raise not_tested(f"this step takes joint `{joint.name}` beyond its range", "give a smaller step")
     return change
 
 
@@ -112,13 +116,18 @@ def _load(station: Station) -> Payload:
     return mounted_load(station.tools.get(station.default_tool))
 
 
-def _station(cell: Cell, name: str | None) -> Station:
+def tested_station(cell: Cell, name: str | None) -> Station:
+    """Return the station of a name, the first one for None; it has drives.
+
+    Raises:
+        NotTestedError: U905, there is none, or it has no drives.
+    """
     if name is not None and name not in cell.stations:
-        raise _not_tested(f"the cell has no station `{name}`", did_you_mean(name, cell.stations))
+        raise not_tested(f"the cell has no station `{name}`", did_you_mean(name, cell.stations))
     station = cell.stations[name] if name is not None else cell.first
     if not station.robot.drives:
         message = f"`{station.robot.name}` has no drives: it follows its reference exactly, there is no loop"
-        raise _not_tested(message, "`ropsim robot estimate` adds drives by stated rules")
+        raise not_tested(message, "`ropsim robot estimate` adds drives by stated rules")
     return station
 
 
@@ -130,7 +139,7 @@ def _axis(robot: RobotModel, name: str) -> int:
     if name.isdecimal() and 1 <= int(name) <= robot.n:
         return int(name) - 1
     hint = did_you_mean(name, names) or f"there are 1 to {robot.n}: {', '.join(f'`{one}`' for one in names)}"
-    raise _not_tested(f"`{robot.name}` has no axis `{name}`", hint)
+    raise not_tested(f"`{robot.name}` has no axis `{name}`", hint)
 
 
 def _rest(cell: Cell, station: Station, options: argparse.Namespace) -> tuple[Array, str]:
@@ -138,7 +147,7 @@ def _rest(cell: Cell, station: Station, options: argparse.Namespace) -> tuple[Ar
     robot = station.robot
     if options.joints:
         if len(options.joints) != robot.n:
-            raise _not_tested(f"--joints has {len(options.joints)} numbers, the robot has {robot.n} axes", "")
+            raise not_tested(f"--joints has {len(options.joints)} numbers, the robot has {robot.n} axes", "")
         given = joint_coordinates(robot, options.joints)
         check_coordinates(given)
         units = [math.radians(1.0) if one.kind is JointType.REVOLUTE else 1e-3 for one in given]
@@ -146,26 +155,27 @@ def _rest(cell: Cell, station: Station, options: argparse.Namespace) -> tuple[Ar
         beyond = np.flatnonzero((q < robot.lower_limits) | (q > robot.upper_limits))
         if len(beyond):
             name = robot.axis_joints[int(beyond[0])].name
-            raise _not_tested(f"--joints has joint `{name}` beyond its range", "see `ropsim robot show`")
+            raise not_tested(f"--joints has joint `{name}` beyond its range", "see `ropsim robot show`")
         return q, "given joint coordinates"
     if options.at is None:
         return station.q_start, "start of the cell"
     if options.at not in cell.locations:
         hint = did_you_mean(options.at, cell.locations)
-        raise _not_tested(f"the cell has no location `{options.at}`", hint)
+        raise not_tested(f"the cell has no location `{options.at}`", hint)
     if options.at in cell.located:
         frame = cell.located[options.at]
-        raise _not_tested(f"`{options.at}` is on `{frame}`, which moves", "give --joints instead")
+        raise not_tested(f"`{options.at}` is on `{frame}`, which moves", "give --joints instead")
     tool = station.tools.get(station.default_tool)
     X_BT = Pose.from_tuple(environment_of(cell, station).locations[options.at][:7])
     found = kinematics.inverse(robot, X_BT @ tool.X_MT.inverse() if tool else X_BT)
     if not len(found.solutions):
-        raise _not_tested(
+        raise not_tested(
             f"the arm does not reach `{options.at}`", "`ropsim robot ik` says what is in the way"
         )
     away = np.abs(found.solutions - station.q_start).max(axis=1)
     return found.solutions[int(away.argmin())], f"location `{options.at}`"
 
 
-def _not_tested(message: str, hint: str) -> NotTestedError:
+def not_tested(message: str, hint: str) -> NotTestedError:
+    """Return the error that something has no loops that could be tested as asked for."""
     return NotTestedError(NOT_TESTED.at(None, message, hint=hint))
