@@ -51,6 +51,9 @@ def _response(actions: Commands) -> None:
         type=float,
         help="joint coordinates in degrees (mm for sliding joints)",
     )
+    parser.add_argument(
+        "--report", metavar="FILE.html", help="also write a page with the curves of all tested axes"
+    )
 
 
 def _tune(actions: Commands) -> None:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import fields
+from typing import TypeAlias
 
 from ropsim.model import LAW_WORDS, ControllerModel, JointType, RobotModel
 from ropsim.simulation import FrequencyResponse, Margins, TimeResponse, lag_of, step_figures
@@ -10,6 +11,8 @@ from ropsim.spatial import Array, record
 from ropsim.views import Style, TableCell, Tone, columns_text
 
 _UNITS = {JointType.REVOLUTE: (math.degrees(1.0), "°"), JointType.PRISMATIC: (1e3, " mm")}
+Table: TypeAlias = tuple[tuple[str, ...], list[tuple[TableCell, ...]]]
+"""Titles and rows."""
 _SLOWEST = 3
 """Modes that are shown."""
 _LARGE = 1e3
@@ -49,6 +52,7 @@ class TestedAxis:
         margins: of its loop.
         bandwidth: of its loop [Hz]; NaN for none.
         sweep: response to the requested sines; None for none.
+        sines: response to sines of many frequencies.
     """
 
     axis: int
@@ -56,6 +60,7 @@ class TestedAxis:
     margins: Margins
     bandwidth: float
     sweep: FrequencyResponse | None
+    sines: FrequencyResponse
 
 
 def response_text(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> str:
@@ -66,32 +71,43 @@ def response_text(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> str
         tested: at least one axis.
         style: whether it has colours.
     """
-    law, hz = LAW_WORDS[rest.controller.kind], rest.controller.rates.control_hz
-    load = f"{rest.load:.3g} kg at the flange" if rest.load else "no load"
-    lines = [f"{rest.robot.title or rest.robot.name}: {law} at {hz} Hz, {rest.place}, {load}", ""]
+    lines = [f"{rest.robot.title or rest.robot.name}: {conditions(rest)}", ""]
     if any(one.response for one in tested):
-        lines += [*_in_time(rest, tested, style), ""]
-    lines += [*_margins(rest, tested, style), ""]
+        lines += [*columns_text(*in_time(rest, tested), style), ""]
+    lines += [*columns_text(*margins_table(rest, tested), style), ""]
     if tested[0].sweep is not None:
         lines += [*_sweeps(rest, tested, style), ""]
+    return "\n".join([*lines, *notes(rest)]) + "\n"
+
+
+def conditions(rest: Rest) -> str:
+    """Return law, rate, place and load in words."""
+    law, hz = LAW_WORDS[rest.controller.kind], rest.controller.rates.control_hz
+    load = f"{rest.load:.3g} kg at the flange" if rest.load else "no load"
+    return f"{law} at {hz} Hz, {rest.place}, {load}"
+
+
+def notes(rest: Rest) -> tuple[str, ...]:
+    """Return the slowest modes, and what has no part in margins and modes."""
     frequencies, ratios = rest.modes
     shown = [
         f"{one:.3g} Hz (damping {ratio:.2g})"
         for one, ratio in zip(frequencies[:_SLOWEST].tolist(), ratios[:_SLOWEST].tolist(), strict=True)
     ]
-    lines.append(f"slowest modes: {', '.join(shown)}" if shown else "no mode of the loops oscillates")
-    lines.append("margins and modes: about the rest, without dry friction, play, and limits of amplifiers")
-    return "\n".join(lines) + "\n"
+    return (
+        f"slowest modes: {', '.join(shown)}" if shown else "no mode of the loops oscillates",
+        "margins and modes: about the rest, without dry friction, play, and limits of amplifiers",
+    )
 
 
-def _in_time(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> list[str]:
+def in_time(rest: Rest, tested: Sequence[TestedAxis]) -> Table:
+    """Return the figures of answers in time."""
     beside = ("others off\nby", "drive at\nlimit %")
     header: tuple[str, ...] = ("axis", "step", "rise\nms", "overshoot\n%", "settling\nms", "left", *beside)
     if rest.is_ramp:
         header = ("axis", "ramp", "behind at\nthe end", "behind\nat most", *beside)
     row = _ramp_row if rest.is_ramp else _step_row
-    rows = [tuple(row(rest, one.axis, one.response)) for one in tested if one.response is not None]
-    return columns_text(header, rows, style)
+    return header, [tuple(row(rest, one.axis, one.response)) for one in tested if one.response is not None]
 
 
 def _ramp_row(rest: Rest, axis: int, response: TimeResponse) -> Iterator[TableCell]:
@@ -126,7 +142,8 @@ def _beside(rest: Rest, response: TimeResponse) -> Iterator[TableCell]:
     yield TableCell(f"{full:.3g}", Tone.WARNING if full else None)
 
 
-def _margins(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> list[str]:
+def margins_table(rest: Rest, tested: Sequence[TestedAxis]) -> Table:
+    """Return bandwidths and margins."""
     header = (
         *("axis", "bandwidth\nHz", "gain\nmargin", "at\nHz", "phase\nmargin °", "at\nHz"),
         *("delay\nmargin ms", "Ms"),
@@ -147,7 +164,7 @@ def _margins(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> list[str
             f"{margin.sensitivity:.2f}",
         )
         rows.append((name, *map(TableCell, texts)))
-    return columns_text(header, rows, style)
+    return header, rows
 
 
 def _sweeps(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> list[str]:

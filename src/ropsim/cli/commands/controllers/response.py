@@ -2,14 +2,16 @@
 
 import argparse
 import math
+from pathlib import Path
 
 import numpy as np
 
 from ropsim import kinematics
 from ropsim.cli.terminal.coordinates import check_coordinates, joint_coordinates
-from ropsim.cli.terminal.output import Output
+from ropsim.cli.terminal.output import Output, cannot_write
+from ropsim.cli.terminal.response_report import response_records
 from ropsim.cli.terminal.response_text import Rest, TestedAxis, response_document, response_text
-from ropsim.core import Category, Diagnostic, RopsimError, Severity, define, did_you_mean
+from ropsim.core import Category, Diagnostic, RopsimError, Severity, define, did_you_mean, replace_file
 from ropsim.model import Cell, JointType, Payload, RobotModel, Station
 from ropsim.records import diagnostic_document
 from ropsim.simulation import (
@@ -23,7 +25,8 @@ from ropsim.simulation import (
     step_response,
 )
 from ropsim.spatial import Array, Pose
-from ropsim.workbench import environment_of, open_project
+from ropsim.views import response_page
+from ropsim.workbench import Project, environment_of, open_project
 
 NOT_TESTED = define(
     "U905",
@@ -40,6 +43,8 @@ loop to test.
 `ropsim controller tune` has gains for computed torque and for loops of fixed gains, the laws whose gains
 follow from a bandwidth and a damping ratio: one bandwidth for all axes or one for each, up to a quarter of
 the control rate.
+
+A page (`--report`) replaces neither a folder nor a text of the project.
 """,
     Category.USAGE,
 )
@@ -61,6 +66,7 @@ def response(options: argparse.Namespace, output: Output) -> int:
         code = output.findings(project.diagnostics, project.texts)
         output.document({"ok": False, **diagnostic_document(project.diagnostics)})
         return code or 1
+    _check_place(options.report, project)
     output.engine_note()
     station = tested_station(cell, options.station)
     robot, load = station.robot, _load(station)
@@ -83,15 +89,40 @@ def response(options: argparse.Namespace, output: Output) -> int:
             findings.append(error.diagnostic)
         sines = frequency_response(loop, axis)
         swept = frequency_response(loop, axis, hz) if hz is not None else None
-        tested.append(TestedAxis(axis, answer, margins(loop, axis), sines.bandwidth, swept))
+        tested.append(TestedAxis(axis, answer, margins(loop, axis), sines.bandwidth, swept, sines))
     code = output.findings(findings, project.texts)
     rest = Rest(
         robot, station.controller, q, place, load.mass, natural_modes(loop), is_ramp=bool(options.ramp)
     )
     output.text(response_text(rest, tested, output.style))
+    written = _written(options.report, rest, tested)
+    for path in written:
+        output.text(f"wrote {path}")
     ok = code == 0 and all(one.margins.stable for one in tested)
-    output.document({"ok": ok, **response_document(rest, tested), **diagnostic_document(findings)})
+    output.document(
+        {"ok": ok, **response_document(rest, tested), "written": written, **diagnostic_document(findings)}
+    )
     return 0 if ok else 1
+
+
+def _check_place(path: str | None, project: Project) -> None:
+    """Require that a page replaces neither a folder nor a text of the project."""
+    if path and Path(path).is_dir():
+        raise not_tested(f"`{path}` is a folder, needed is the name of a file", "such as `loops.html`")
+    if path and Path(path).resolve() in {Path(name).resolve() for name in project.texts}:
+        raise not_tested(f"`{path}` is a text of the project", "choose another place for the page")
+
+
+def _written(path: str | None, rest: Rest, tested: list[TestedAxis]) -> list[str]:
+    """Write the HTML page if one is asked for, and return its path."""
+    if not path:
+        return []
+    page = response_page(response_records(rest, tested))
+    try:
+        replace_file(Path(path), page.encode("utf-8"))
+    except OSError as error:
+        raise NotTestedError(cannot_write(path, error)) from error
+    return [path]
 
 
 def _change(robot: RobotModel, q: Array, axis: int, options: argparse.Namespace) -> float:
