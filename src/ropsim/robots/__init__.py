@@ -29,6 +29,10 @@ from ropsim.robots.loops.cascaded_loops import standard_gains as standard_gains
 from ropsim.robots.loops.hydraulic_gains import flow_gains as flow_gains
 from ropsim.robots.loops.hydraulic_gains import parallel_pi_gains as parallel_pi_gains
 from ropsim.robots.loops.torque_loops import standard_torque_gains as standard_torque_gains
+from ropsim.robots.loops.tuned_loops import STANDARD_DAMPING as STANDARD_DAMPING
+from ropsim.robots.loops.tuned_loops import can_be_tuned as can_be_tuned
+from ropsim.robots.loops.tuned_loops import loop_bandwidths as loop_bandwidths
+from ropsim.robots.loops.tuned_loops import tuned_controller as tuned_controller
 from ropsim.robots.path_limits_of_joints import TOOL_LENGTH as TOOL_LENGTH
 from ropsim.robots.path_limits_of_joints import path_limits_of_joints as path_limits_of_joints
 from ropsim.robots.standard_controller import acts_directly as acts_directly

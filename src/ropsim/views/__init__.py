@@ -12,6 +12,11 @@ from ropsim.views.cycle import summarize_cycle as summarize_cycle
 from ropsim.views.html.door import html_report as html_report
 from ropsim.views.html.replay import NoReplay as NoReplay
 from ropsim.views.html.replay import Replay as Replay
+from ropsim.views.loops.door import response_page as response_page
+from ropsim.views.loops.records import LoopPage as LoopPage
+from ropsim.views.loops.records import LoopTable as LoopTable
+from ropsim.views.loops.records import SineCurves as SineCurves
+from ropsim.views.loops.records import TimeCurves as TimeCurves
 from ropsim.views.pack.pack import Pack as Pack
 from ropsim.views.pack.pack import Stage as Stage
 from ropsim.views.pack.pack import pack as pack

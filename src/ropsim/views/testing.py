@@ -15,6 +15,7 @@ from ropsim.views.accuracy.polyline import at as at
 from ropsim.views.accuracy.polyline import nearest as nearest
 from ropsim.views.accuracy.stops import stopping as stopping
 from ropsim.views.channels import station_views as station_views
+from ropsim.views.chart.frequency import frequency_ticks as frequency_ticks
 from ropsim.views.comparison import comparison_section as comparison_section
 from ropsim.views.html.accuracy import corner_table as corner_table
 from ropsim.views.html.accuracy import path_table as path_table

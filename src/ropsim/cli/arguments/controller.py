@@ -13,14 +13,19 @@ def controller(commands: Commands) -> None:
     """Add `ropsim controller`."""
     group = commands.add_parser(
         "controller",
-        help="show how the loops of a cell answer steps, ramps and sines",
-        description="The joint controller of a cell under test: responses and stability margins.",
+        help="show how the loops of a cell answer steps, ramps and sines; find gains",
+        description="The joint controller of a cell: responses, stability margins, gains.",
     )
     actions = group.add_subparsers(title="actions", metavar="ACTION", required=True)
+    _response(actions)
+    _tune(actions)
+
+
+def _response(actions: Commands) -> None:
     parser = command(
         actions,
         "response",
-        "controller:response",
+        "controllers.response:response",
         "print responses of the axes and the stability margins of their loops",
         "Without an option each axis makes a small step.",
     )
@@ -46,6 +51,38 @@ def controller(commands: Commands) -> None:
         type=float,
         help="joint coordinates in degrees (mm for sliding joints)",
     )
+    parser.add_argument(
+        "--report", metavar="FILE.html", help="also write a page with the curves of all tested axes"
+    )
+
+
+def _tune(actions: Commands) -> None:
+    parser = command(
+        actions,
+        "tune",
+        "controllers.tune:tune",
+        "find gains of a station, and show what its loops bear over the places of its arm",
+        "Without --bandwidth it finds the largest ones with Ms up to 2 and a gain margin of at least 2.",
+    )
+    parser.add_argument("path", metavar="PATH", help="project folder, its cell.toml, or one of its programs")
+    parser.add_argument("--station", metavar="NAME", help="whose controller (default: the first one)")
+    parser.add_argument(
+        "--bandwidth", metavar="HZ", nargs="+", type=float, help="of all axes, or one for each axis [Hz]"
+    )
+    parser.add_argument(
+        "--damping", metavar="D", type=_ratio, help="damping ratio of the axes (default: 0.91)"
+    )
+
+
+def _ratio(text: str) -> float:
+    """Return a damping ratio."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 0.1 <= value <= 10.0:
+        raise argparse.ArgumentTypeError(f"`{text}` is no damping ratio from 0.1 to 10")
+    return value
 
 
 def _size(text: str) -> tuple[float, str]:

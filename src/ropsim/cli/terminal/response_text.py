@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import fields
+from typing import TypeAlias
 
 from ropsim.model import LAW_WORDS, ControllerModel, JointType, Linkage, RobotModel
 from ropsim.simulation import FrequencyResponse, Margins, OilSpring, TimeResponse, lag_of, step_figures
@@ -10,6 +11,8 @@ from ropsim.spatial import Array, record
 from ropsim.views import Style, TableCell, Tone, columns_text
 
 _UNITS = {JointType.REVOLUTE: (math.degrees(1.0), "°"), JointType.PRISMATIC: (1e3, " mm")}
+Table: TypeAlias = tuple[tuple[str, ...], list[tuple[TableCell, ...]]]
+"""Titles and rows."""
 _SLOWEST = 3
 """Modes that are shown."""
 _LARGE = 1e3
@@ -53,6 +56,7 @@ class TestedAxis:
         margins: of its loop.
         bandwidth: of its loop [Hz]; NaN for none.
         sweep: response to the requested sines; None for none.
+        sines: response to sines of many frequencies.
     """
 
     axis: int
@@ -60,6 +64,7 @@ class TestedAxis:
     margins: Margins
     bandwidth: float
     sweep: FrequencyResponse | None
+    sines: FrequencyResponse
 
 
 def response_text(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> str:
@@ -70,27 +75,37 @@ def response_text(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> str
         tested: at least one axis.
         style: whether it has colours.
     """
-    law, hz = LAW_WORDS[rest.controller.kind], rest.controller.rates.control_hz
-    load = f"{rest.load:.3g} kg at the flange" if rest.load else "no load"
-    lines = [f"{rest.robot.title or rest.robot.name}: {law} at {hz} Hz, {rest.place}, {load}", ""]
+    lines = [f"{rest.robot.title or rest.robot.name}: {conditions(rest)}", ""]
     if any(one.response for one in tested):
-        lines += [*_in_time(rest, tested, style), ""]
-    lines += [*_margins(rest, tested, style), ""]
+        lines += [*columns_text(*in_time(rest, tested), style), ""]
+    lines += [*columns_text(*margins_table(rest, tested), style), ""]
     if tested[0].sweep is not None:
         lines += [*_sweeps(rest, tested, style), ""]
-    lines += _oil(rest, style)
-    shown = _modes(rest.modes)
-    lines.append(f"slowest modes: {shown}" if shown else "no mode of the loops oscillates")
     if rest.oil:
-        lines.append(f"without the law: {_modes(rest.swings)}")
+        lines += [*columns_text(*oil_table(rest), style), ""]
+    return "\n".join([*lines, *notes(rest)]) + "\n"
+
+
+def conditions(rest: Rest) -> str:
+    """Return law, rate, place and load in words."""
+    law, hz = LAW_WORDS[rest.controller.kind], rest.controller.rates.control_hz
+    load = f"{rest.load:.3g} kg at the flange" if rest.load else "no load"
+    return f"{law} at {hz} Hz, {rest.place}, {load}"
+
+
+def notes(rest: Rest) -> tuple[str, ...]:
+    """Return the slowest modes, what sensors take part, and what has no part in margins and modes."""
+    found, shown = list[str](), _modes(rest.modes)
+    found.append(f"slowest modes: {shown}" if shown else "no mode of the loops oscillates")
+    if rest.oil:
+        found.append(f"without the law: {_modes(rest.swings)}")
     left_out = "dry friction, play, and limits of amplifiers"
     sensors = rest.controller.sensors.sensors
     if sensors:
         left_out += "; of sensors with delays and rates, without steps and noise"
         names = ", ".join(one.quantity for one in sensors)
-        lines.append(f"responses: with the sensors of the cell for {names}, their steps and noise")
-    lines.append(f"margins and modes: about the rest, without {left_out}")
-    return "\n".join(lines) + "\n"
+        found.append(f"responses: with the sensors of the cell for {names}, their steps and noise")
+    return (*found, f"margins and modes: about the rest, without {left_out}")
 
 
 def _modes(modes: tuple[Array, Array]) -> str:
@@ -99,10 +114,8 @@ def _modes(modes: tuple[Array, Array]) -> str:
     return ", ".join(f"{hz:.3g} Hz (damping {ratio:.2g})" for hz, ratio in pairs)
 
 
-def _oil(rest: Rest, style: Style) -> list[str]:
-    """Return the table of hydraulic axes; nothing without any."""
-    if not rest.oil:
-        return []
+def oil_table(rest: Rest) -> Table:
+    """Return what hydraulic axes stand on."""
     header = (
         *("axis", "lever\nmm", "mass at\nrod kg", "oil spring\nMN/m", "alone\nHz"),
         *("full valve\nforward", "full valve\nback"),
@@ -120,17 +133,17 @@ def _oil(rest: Rest, style: Style) -> list[str]:
             *(f"{speed * scale:.0f}{unit}/s" for speed in (one.forward, one.back)),
         )
         rows.append((TableCell(_name(rest, one.axis)), *map(TableCell, texts)))
-    return [*columns_text(header, rows, style), ""]
+    return header, rows
 
 
-def _in_time(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> list[str]:
+def in_time(rest: Rest, tested: Sequence[TestedAxis]) -> Table:
+    """Return the figures of answers in time."""
     beside = ("others off\nby", "drive at\nlimit %")
     header: tuple[str, ...] = ("axis", "step", "rise\nms", "overshoot\n%", "settling\nms", "left", *beside)
     if rest.is_ramp:
         header = ("axis", "ramp", "behind at\nthe end", "behind\nat most", *beside)
     row = _ramp_row if rest.is_ramp else _step_row
-    rows = [tuple(row(rest, one.axis, one.response)) for one in tested if one.response is not None]
-    return columns_text(header, rows, style)
+    return header, [tuple(row(rest, one.axis, one.response)) for one in tested if one.response is not None]
 
 
 def _ramp_row(rest: Rest, axis: int, response: TimeResponse) -> Iterator[TableCell]:
@@ -147,9 +160,9 @@ def _step_row(rest: Rest, axis: int, response: TimeResponse) -> Iterator[TableCe
     figures = step_figures(response)
     yield TableCell(_name(rest, axis))
     yield TableCell(f"{float(response.reference[-1]) * scale:.3g}{unit}")
-    yield TableCell(_number(1e3 * figures.rise, "never"))
+    yield TableCell(number(1e3 * figures.rise, "never"))
     yield TableCell(f"{100.0 * figures.overshoot:.1f}")
-    yield TableCell(_number(1e3 * figures.settling, f"over {1e3 * float(response.time[-1]):.0f}"))
+    yield TableCell(number(1e3 * figures.settling, f"over {1e3 * float(response.time[-1]):.0f}"))
     yield TableCell(f"{figures.error * scale:.2g}{unit}")
     yield from _beside(rest, response)
 
@@ -165,7 +178,8 @@ def _beside(rest: Rest, response: TimeResponse) -> Iterator[TableCell]:
     yield TableCell(f"{full:.3g}", Tone.WARNING if full else None)
 
 
-def _margins(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> list[str]:
+def margins_table(rest: Rest, tested: Sequence[TestedAxis]) -> Table:
+    """Return bandwidths and margins."""
     header = (
         *("axis", "bandwidth\nHz", "gain\nmargin", "at\nHz", "phase\nmargin °", "at\nHz"),
         *("delay\nmargin ms", "Ms"),
@@ -177,16 +191,16 @@ def _margins(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> list[str
             rows.append((name, TableCell("unstable", Tone.ERROR), *(TableCell("-"),) * 6))
             continue
         texts = (
-            _number(one.bandwidth, "-"),
+            number(one.bandwidth, "-"),
             f"{margin.gain:.3g}" if margin.gain < _LARGE else "large",
-            _number(margin.gain_hz, "-"),
+            number(margin.gain_hz, "-"),
             f"{math.degrees(margin.phase):.0f}" if math.isfinite(margin.phase) else "-",
-            _number(margin.phase_hz, "-"),
-            _number(1e3 * margin.delay, "-"),
+            number(margin.phase_hz, "-"),
+            number(1e3 * margin.delay, "-"),
             f"{margin.sensitivity:.2f}",
         )
         rows.append((name, *map(TableCell, texts)))
-    return columns_text(header, rows, style)
+    return header, rows
 
 
 def _sweeps(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> list[str]:
@@ -226,13 +240,10 @@ def response_document(rest: Rest, tested: Sequence[TestedAxis]) -> dict[str, obj
 
 
 def _axis_entry(rest: Rest, one: TestedAxis) -> dict[str, object]:
-    numbers = {field.name: getattr(one.margins, field.name) for field in fields(one.margins)}
-    stable = numbers.pop("stable")
     return {
         "axis": _name(rest, one.axis),
-        "stable": stable,
-        "margins": {name: _plain(value) for name, value in numbers.items()},
-        "bandwidth_hz": _plain(one.bandwidth),
+        **margins_entry(one.margins),
+        "bandwidth_hz": plain(one.bandwidth),
         "ramp" if rest.is_ramp else "step": one.response and _response_entry(rest, one.response),
         "sweep": one.sweep
         and {
@@ -243,13 +254,20 @@ def _axis_entry(rest: Rest, one: TestedAxis) -> dict[str, object]:
     }
 
 
+def margins_entry(found: Margins) -> dict[str, object]:
+    """Return whether a loop is stable, and its margins; NaN and infinities are null."""
+    numbers = {field.name: plain(getattr(found, field.name)) for field in fields(found)}
+    stable = numbers.pop("stable")
+    return {"stable": stable, "margins": numbers}
+
+
 def _response_entry(rest: Rest, response: TimeResponse) -> dict[str, object]:
     if rest.is_ramp:
         behind, most = lag_of(response)
         figures: dict[str, float | None] = {"behind": behind, "behind_at_most": most}
     else:
         found = step_figures(response)
-        figures = {field.name: _plain(getattr(found, field.name)) for field in fields(found)}
+        figures = {field.name: plain(getattr(found, field.name)) for field in fields(found)}
     return {
         **figures,
         "others": response.others.tolist(),
@@ -269,11 +287,13 @@ def _name(rest: Rest, axis: int) -> str:
     return rest.robot.axis_joints[axis].name
 
 
-def _number(value: float, otherwise: str) -> str:
+def number(value: float, otherwise: str) -> str:
+    """Return a number with three digits and without exponent; another text for NaN and infinities."""
     if not math.isfinite(value):
         return otherwise
     return f"{value:.3g}" if value < _LARGE else f"{value:.0f}"
 
 
-def _plain(value: float) -> float | None:
+def plain(value: float) -> float | None:
+    """Return a number for a document, null for NaN and infinities."""
     return value if math.isfinite(value) else None

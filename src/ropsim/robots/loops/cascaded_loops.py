@@ -99,7 +99,11 @@ def standard_gains(robot: Mechanism, rates: Rates) -> CascadedGains:
     Raises:
         NoControllerError: X861, the arm has no drives.
     """
-    bandwidths = standard_bandwidths(robot, rates)
+    return cascaded_gains(robot, standard_bandwidths(robot, rates))
+
+
+def cascaded_gains(robot: Mechanism, bandwidths: LoopBandwidths) -> CascadedGains:
+    """Return gains with given bandwidths for an arm with drives; see `standard_gains`."""
     inertia, _, _ = _inertias(robot)
     pairs = list(zip(robot.drives, robot.home.tolist(), strict=True))
     per_effort = np.array([steady_drive(drive, q, 0.0, 1.0).command for drive, q in pairs])

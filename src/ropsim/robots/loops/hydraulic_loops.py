@@ -117,8 +117,14 @@ def _valve(drive: Drive) -> float:
     return drive.motor.natural_frequency
 
 
-def with_hydraulic_axes(gains: CascadedGains, robot: Mechanism, crossover: float) -> CascadedGains:
-    """Return gains with the gains of hydraulic axes inserted."""
+def with_hydraulic_axes(gains: CascadedGains, robot: Mechanism, crossover: float | Array) -> CascadedGains:
+    """Return gains with the gains of hydraulic axes inserted.
+
+    Args:
+        gains: of all axes.
+        robot: the arm.
+        crossover: of its hydraulic axes [rad/s], one for all or shape (axes,).
+    """
     axes = hydraulic_axes(robot)
     rows = {name: np.array(getattr(gains, name)) for name in gain_names(gains)}
     per_speed = np.array([_per_speed(robot, axis) for axis in axes])

@@ -67,6 +67,16 @@ class LinearLoop:
         """
         return self._joined(np.ones(self.n), self.delay + late)
 
+    def given(self) -> Array:
+        """Return C of u = C·z: what the law gives to the drives now, shape (n, z)."""
+        s, m, n = len(self.F), len(self.L), self.n
+        C = np.zeros((n, s + m + self.delay * n))
+        if self.delay:
+            C[:, s + m : s + m + n] = np.eye(n)
+        else:
+            C[:, : s + m] = self.K[:, : s + m]
+        return C
+
     def broken(self, axis: int) -> tuple[Array, Array, Array]:
         """Return A, b, c of the loop that is open between the law and the drive of one axis: z⁺ = A·z + b·v.
 

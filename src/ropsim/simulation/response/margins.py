@@ -12,6 +12,8 @@ LOWEST = 0.05
 FREQUENCIES = 3000
 """Between that and half of the control rate, evenly by their logarithms."""
 _HALF_POWER = 0.5**0.5
+_DEPENDENT = 1e9
+"""Condition of eigenvectors from which on they are nearly dependent: half of the digits are left."""
 
 
 @record
@@ -126,7 +128,35 @@ def margins(loop: LinearLoop, axis: int) -> Margins:
     hz = _frequencies(loop.period)
     z = _on_circle(hz, loop.period)
     A, b, c = loop.broken(axis)
-    opened = -_transfer(A, b, c, z) * z**-loop.delay
+    return _judged(-_transfer(A, b, c, z) * z**-loop.delay, hz)
+
+
+def margins_of_all(loop: LinearLoop) -> tuple[Margins, ...]:
+    """Return the margins of the loops of all axes, each as `margins` does, from their sensitivities.
+
+    What is added to the input of a drive while all loops are closed arrives there 1/(1 + L)-fold, with the
+    loop L that is open there alone. In the eigenvectors of the closed loop that takes no equations; where
+    these are nearly dependent the axes are looked at one by one.
+
+    Args:
+        loop: about a rest.
+    """
+    A, _ = loop.closed()
+    poles, V = np.linalg.eig(A)
+    if not np.abs(poles).max() < 1.0:
+        return (UNSTABLE,) * loop.n
+    if np.linalg.cond(V) > _DEPENDENT:
+        return tuple(margins(loop, axis) for axis in range(loop.n))
+    inputs, outputs = np.zeros((len(A), loop.n)), loop.given()
+    inputs[: len(loop.F)] = loop.G
+    residues = (outputs @ V) * np.linalg.solve(V, inputs).T
+    hz = _frequencies(loop.period)
+    reached = 1.0 + residues @ (1.0 / (_on_circle(hz, loop.period) - poles[:, np.newaxis]))
+    return tuple(_judged(one, hz) for one in 1.0 / reached - 1.0)
+
+
+def _judged(opened: Array, hz: Array) -> Margins:
+    """Return the margins of an open loop at frequencies [Hz], the closed one being stable."""
     inverse = 1.0 / np.abs(1.0 + opened)
     most = int(inverse.argmax())
     factors, at = _crossings(opened, hz)

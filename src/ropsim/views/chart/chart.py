@@ -87,9 +87,11 @@ def time_chart(chart: TimeChart) -> str:
     end = float(chart.time[-1]) if chart.time.size and chart.time[-1] > 0.0 else 1.0
     top, parts = TOP, []
     for row in chart.rows:
-        frame = _frame(row, end, top)
+        frame = frame_of(row, end, top)
         parts.append(_bands(chart.bands, frame))
-        parts.append(_spans(row, frame) if isinstance(row, SpanRow) else _traces(row, frame, chart.time))
+        parts.append(
+            _spans(row, frame) if isinstance(row, SpanRow) else row_of_traces(row, frame, chart.time)
+        )
         top += row.height + GAP
     bottom = top - GAP
     parts.append(time_axis(end, bottom))
@@ -102,7 +104,8 @@ def time_chart(chart: TimeChart) -> str:
     )
 
 
-def _frame(row: TraceRow | SpanRow, end: float, top: float) -> Frame:
+def frame_of(row: TraceRow | SpanRow, end: float, top: float) -> Frame:
+    """Return the frame of a row whose horizontal axis goes from 0 to `end`, at a height on the picture."""
     if isinstance(row, SpanRow):
         return Frame(end, top, row.height)
     low, high = _range(row.traces)
@@ -159,7 +162,8 @@ def _bars(intervals: Sequence[Interval], frame: Frame) -> list[Interval]:
     return [(x1, max(x2 - x1, 0.6)) for x1, x2 in joined]
 
 
-def _traces(row: TraceRow, frame: Frame, time: Array) -> str:
+def row_of_traces(row: TraceRow, frame: Frame, time: Array) -> str:
+    """Return curves with their value axis as SVG; `time` are their places along the horizontal axis."""
     middle = frame.top + frame.height / 2
     parts = [f'<text class="name" x="4" y="{coordinate(middle + 4)}">{text(_short(row.name))}</text>']
     parts.append(value_axis(frame))

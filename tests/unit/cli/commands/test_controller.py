@@ -110,3 +110,28 @@ def test_an_unstable_loop_is_an_error(tmp_path: Path, capsys: pytest.CaptureFixt
     wild = written(tmp_path, "puma560", f"[controller]\nkp = [{gains}]\n")
     assert main(["controller", "response", str(wild), "--axis", "1"]) == 1
     assert "unstable" in "".join(capsys.readouterr())
+
+
+def test_a_page_with_the_curves_is_written(cell: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    page = cell / "loops.html"
+    arguments = ("--axis", "3", "--step", "2deg", "--sweep", "1..50Hz")
+    with pytest.raises(SystemExit, match="2"):  # one excitation in time
+        main(["controller", "response", str(cell), *arguments])
+    code, found = document(capsys, str(cell), "--axis", "3", "--step", "2deg", "--report", str(page))
+    assert (code, found["written"]) == (0, [str(page)])
+    text = page.read_text("utf-8")
+    assert text.count("<svg") == 2
+    assert "overshoot<br>%" in text
+    assert "Unimation PUMA 560" in text
+
+
+def test_a_page_that_cannot_be_written_is_told(cell: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    before = (cell / "cell.toml").read_bytes()
+    for place, word in ((cell, "is a folder"), (cell / "cell.toml", "is a text of the project")):
+        assert main(["controller", "response", str(cell), "--axis", "3", "--report", str(place)]) == 2
+        assert word in capsys.readouterr().err
+    assert (cell / "cell.toml").read_bytes() == before
+    (cell / "taken").write_text("")
+    beneath = str(cell / "taken" / "loops.html")
+    assert main(["controller", "response", str(cell), "--axis", "3", "--report", beneath]) == 2
+    assert "taken" in capsys.readouterr().err

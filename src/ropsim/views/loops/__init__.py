@@ -1,0 +1,1 @@
+"""Responses and margins of the loops of a station as one HTML page."""
