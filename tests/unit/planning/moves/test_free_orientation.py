@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
+from ropsim import robots
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import point_answers, tool_pose
-from ropsim.model import RobotModel
+from ropsim.model import RobotModel, on_track
 from ropsim.planning import MotionChain, MotionState, Refusal, plan, plan_move
 from ropsim.spatial import Array, Pose
 from support.few_axes import (
@@ -163,6 +164,43 @@ def test_a_line_stops_being_made_at_a_joint_limit_and_says_which() -> None:
     near = begin + 0.3 * (places(robot, np.array([2.9, 1.2]))[0] - begin)
     made = plan_move(chain_for(robot), to_point(LIN, near), q)
     assert not isinstance(made, Refusal)
+
+
+@pytest.mark.parametrize("name", ["planar 3R", "4 axes", "5 axes"])
+def test_few_lines_of_arms_with_joints_to_spare_end_at_a_limit(name: str) -> None:
+    """They begin a twentieth of the range away from one; with constant weights a third of them would."""
+    robot, chain, rng, at_limit, made = ARMS[name], chained(name), np.random.default_rng(14), 0, 0
+    for _ in range(12):
+        q = drawn(robot, rng)
+        joint = int(rng.integers(robot.n))
+        q[joint] = robot.lower_limits[joint] + 0.05 * (robot.upper_limits - robot.lower_limits)[joint]
+        found = plan_move(chain, to_point(LIN, places(robot, q + 0.15 * rng.normal(size=robot.n))[0]), q)
+        if isinstance(found, Refusal):
+            at_limit += found.diagnostics[0].code == "M503"
+            continue
+        made += 1
+        assert robot.lower_limits[joint] - 1e-9 <= found.reference.q[:, joint].min()
+    assert at_limit <= 1
+    assert made >= 9
+
+
+@pytest.mark.parametrize("name", ["planar 2R", "anthropomorphic", "SCARA", "5 axes"])
+@pytest.mark.parametrize("track", [None, 1.3])
+def test_an_arm_on_a_track_follows_lines_of_the_room(name: str, track: float | None) -> None:
+    arm = ARMS[name]
+    robot, n = on_track(arm, robots.linear_track(4.0)), arm.n
+    q = np.append(drawn(arm, np.random.default_rng(3)), 1.0)
+    there = q.copy()
+    there[:n] += 0.02 * np.minimum(arm.upper_limits - arm.lower_limits, 5.0)
+    there[n] = track or 1.0
+    begin, end = places(robot, q)[0], places(robot, there)[0]
+    move = to_point(LIN, end)
+    found = plan_move(chain_for(robot), replace(move, external=(track,)) if track else move, q)
+    assert not isinstance(found, Refusal), found
+    reached = places(robot, found.reference.q)
+    assert beside_line(reached, begin, end).max() < ON_LINE
+    assert np.abs(reached[-1] - end).max() < ON_LINE
+    assert found.q_end[n] == there[n]
 
 
 @pytest.mark.parametrize("name", DETERMINED)
