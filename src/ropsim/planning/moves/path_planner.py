@@ -178,7 +178,7 @@ class StandardPathPlanner:
             # limits beyond all numbers are left to the line: the move takes too long
             with suppress(ProfileError):
                 joints = SynchronisedJoints(q_start, q_end, so_far.limits.joints)
-        return PlannedPath(joints, None, so_far.limits, so_far.X_MT, so_far.findings)
+        return replace(so_far, joints=joints)
 
     def _plan_tool(
         self, move: MoveInstruction, q_start: Array, so_far: PlannedPath, goal: tuple[Array, Pose]

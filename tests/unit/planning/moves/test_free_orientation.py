@@ -12,6 +12,8 @@ from ropsim.kinematics import point_answers, tool_pose
 from ropsim.model import RobotModel, on_track
 from ropsim.planning import MotionChain, MotionState, Refusal, plan, plan_move
 from ropsim.spatial import Array, Pose
+from support.carried import carried_cell, from_plate, to_plate
+from support.cells import chain_of
 from support.few_axes import (
     ARMS,
     DETERMINED,
@@ -215,6 +217,23 @@ def test_a_joint_move_takes_the_nearest_branch(name: str) -> None:
         assert not found.findings
 
 
+def test_of_two_branches_the_one_is_taken_from_which_a_later_line_can_be_followed() -> None:
+    """The nearest one would lead the elbow beyond its limit on the line behind it."""
+    robot = two_link()
+    narrow = replace(robot, joints=(robot.joints[0], replace(robot.joints[1], lower=-1.75, upper=2.9)))
+    chain, low = chain_for(narrow), np.array([1.9, -1.7])
+    begin = places(narrow, low)[0]
+    end = places(narrow, np.array([2.2, -2.1]))[0]
+    alone = plan_move(chain, to_point(PTP, begin), low + 0.02)
+    assert not isinstance(alone, Refusal)
+    assert alone.q_end[1] < 0.0
+    assert refused(to_point(LIN, end), alone.q_end, chain).code in {"M502", "M503"}
+    moves = [to_point(PTP, begin, 0.005), to_point(LIN, end)]
+    made = planned_stretch(moves, low + 0.02, chain)
+    assert made.reference.q[-1, 1] > 0.0
+    assert "M585" in {one.code for one in made.findings}
+
+
 def test_a_corner_between_lines_is_passed_without_a_stop() -> None:
     robot, chain = two_link(), chain_for(two_link())
     q = np.array([0.9, -1.7])
@@ -308,6 +327,27 @@ def test_an_arm_with_six_axes_keeps_its_orientation(kind: MotionKind) -> None:
     there = tool_pose(PUMA, made.q_end, Pose())
     assert np.abs(there.position - target.position).max() < ON_LINE
     assert np.abs(there.matrix()[:3, :3] - X.matrix()[:3, :3]).max() < ON_LINE
+
+
+@pytest.mark.parametrize("kind", [LIN, PTP])
+def test_on_a_plate_that_turns_the_orientation_is_that_over_the_plate(kind: MotionKind) -> None:
+    cell = carried_cell()
+    robot, chain = cell.first.robot, chain_of(cell)
+    q = np.concatenate((START, [2.0, 0.1, 0.2]))
+    there = q.copy()
+    there[-1] += 0.15
+    before = from_plate(robot, q[np.newaxis])[0]
+    target = replace(to_plate(robot, there, kind), posture=FREE)
+    assert isinstance(target.target, Pose)
+    move = replace(
+        target, target=Pose(before[:3, 3] + np.array([0.01, 0.02, 0.0]), target.target.orientation)
+    )
+    made = plan_move(chain, move, q)
+    assert not isinstance(made, Refusal), made
+    after = from_plate(robot, made.q_end[np.newaxis])[0]
+    assert np.abs(after[:3, :3] - before[:3, :3]).max() < ON_LINE
+    assert np.abs(after[:3, 3] - before[:3, 3] - np.array([0.01, 0.02, 0.0])).max() < ON_LINE
+    assert made.q_end[-1] == there[-1]
 
 
 def test_an_arm_with_six_axes_says_which_orientation_it_cannot_keep() -> None:
