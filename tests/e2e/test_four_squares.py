@@ -1,4 +1,4 @@
-"""The example with four squares: two laws of a hydraulic arm, a model that is wrong, and the same in neutral code."""
+"""The example with four squares: two laws of a hydraulic arm, a wrong model, and the same in neutral code."""
 
 from functools import cache
 from pathlib import Path
