@@ -36,8 +36,13 @@ from ropsim.kinematics.chain.jacobian import jacobian as jacobian
 from ropsim.kinematics.chain.jacobian import jacobian_at as jacobian_at
 from ropsim.kinematics.chain.jacobian import jacobians_at as jacobians_at
 from ropsim.kinematics.chain.loop_freedom import loop_freedom as loop_freedom
+from ropsim.kinematics.chain.loop_passage import LoopPassage as LoopPassage
+from ropsim.kinematics.chain.loop_passage import Obstacle as Obstacle
+from ropsim.kinematics.chain.loop_passage import loop_passage as loop_passage
 from ropsim.kinematics.chain.tool_pose_kernel import write_pose_product as write_pose_product
 from ropsim.kinematics.chain.tool_pose_kernel import write_tool_pose as write_tool_pose
+from ropsim.kinematics.diagnostics import LOOP_CHANGES as LOOP_CHANGES
+from ropsim.kinematics.diagnostics import LOOP_LOCKS as LOOP_LOCKS
 from ropsim.kinematics.diagnostics import LOOP_LOOSE as LOOP_LOOSE
 from ropsim.kinematics.diagnostics import NO_CLOSED_FORM as NO_CLOSED_FORM
 from ropsim.kinematics.diagnostics import ArrayShapeError as ArrayShapeError
@@ -64,6 +69,8 @@ from ropsim.kinematics.singularity import SingularDistances as SingularDistances
 from ropsim.kinematics.singularity import near_singularity as near_singularity
 from ropsim.kinematics.singularity import singular_distances as singular_distances
 from ropsim.kinematics.solutions.configurations import configurations as configurations
+from ropsim.kinematics.solutions.followers import FollowerLimits as FollowerLimits
+from ropsim.kinematics.solutions.followers import follower_limits as follower_limits
 from ropsim.kinematics.solutions.limits import limit_violations as limit_violations
 from ropsim.kinematics.solutions.limits import turned_to_limits as turned_to_limits
 from ropsim.kinematics.solutions.result import Free as Free

@@ -9,6 +9,7 @@ from ropsim import robots
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.robots.external_axes import ExternalAxes, read_external_axes
 from ropsim.core import RopsimError
+from ropsim.kinematics import follower_limits
 from ropsim.model import (
     GAIN_NAMES,
     LAW_WORDS,
@@ -27,7 +28,6 @@ from ropsim.model import (
     Station,
     Synchronisation,
     axes_words,
-    coupled_limits,
     gain_names,
     with_axis_limits,
 )
@@ -179,7 +179,7 @@ def _start(table: TomlTable, model: RobotModel, units: Units) -> Array:
         message = f"joint `{joint.name}` would start at {found}, its limits are {lower} and {upper}"
         hint = "without `start` the arm starts at its home position"
         table.findings.add(kinds.START_OUTSIDE_LIMITS, table.value_span("start", k), message, hint)
-    coupled = coupled_limits(model)
+    coupled = follower_limits(model)
     for joint, value, beyond in zip(
         coupled.joints, coupled.values(start).tolist(), coupled.excess(start).tolist(), strict=True
     ):

@@ -44,3 +44,16 @@ def closure(loops: ClosedArrays, q: Array) -> tuple[Array, Array]:
     state, work = closed_states(loops, q[np.newaxis])[0][0], loops.work()
     write_rows(loops.arm(), state, work)
     return work.left[0], work.slopes @ loops.spread[:, loops.n : -1]
+
+
+def loop_gaps(loops: ClosedArrays, states: Array) -> Array:
+    """Return what is left between the frames of each cut at coordinates of axes and loops (k, n + p).
+
+    Returns:
+        The largest distance or angle in a direction that the cut holds [m, rad], shape (k, c).
+    """
+    work, gaps = loops.work(), np.zeros((len(states), len(loops.ends)))
+    for k, state in enumerate(states):
+        write_rows(loops.arm(), np.ascontiguousarray(state), work)
+        np.maximum.at(gaps[k], loops.rows[:, 0].astype(int), np.abs(work.left[0]))
+    return gaps

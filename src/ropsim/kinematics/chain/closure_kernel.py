@@ -26,8 +26,10 @@ from ropsim.spatial import Array
 CLOSED = 1e-10
 """Rows below this [m, rad] are closed, and on their way to rounding."""
 ROUNDED = 1e-15
-ROUNDS = 20
+ROUNDS = 40
 """Most steps of Newton's method in one position; more do not help where the chain does not reach."""
+SURE_ROUNDS = 7
+"""The same from a good prediction."""
 LONGEST = 0.5
 """Longest step of a coordinate in Newton's method, and of one that the chains determine [rad | m]."""
 STRIDE = 0.3
@@ -84,7 +86,7 @@ def _reach(arm: LoopArm, state: Array, q: Array, work: LoopWork) -> tuple[float,
     if share < 1.0:
         for i in range(q.shape[0]):
             state[i] = q[i]
-        return share, closed(arm, state, work)
+        return share, closed(arm, state, ROUNDS, work)
     return share, loop_residuals(arm, work.ends, work.left[0])
 
 
@@ -99,7 +101,7 @@ def assemble(arm: LoopArm, state: Array1, result: Array1, work: LoopWork) -> Non
             shape (2,).
         work: room to work in.
     """
-    result[1] = closed(arm, state, work)
+    result[1] = closed(arm, state, ROUNDS, work)
     result[0] = float(loop_tangents(arm, work))
 
 
@@ -171,7 +173,7 @@ def _step(
         way = max(way, h * abs(slope[i]))
     for i in range(n, state.shape[0]):
         trial[i] = state[i] + h * slope[i]
-    if not closed(arm, trial, work) <= CLOSED:
+    if not closed(arm, trial, SURE_ROUNDS, work) <= CLOSED:
         return -1, 1.0
     rank, defect = _tangent(arm, next_slope, n, work), 0.0
     for i in range(n, state.shape[0]):
@@ -195,11 +197,11 @@ def evaluate(arm: LoopArm, state: Array, work: LoopWork) -> float:
     return loop_residuals(arm, work.ends, work.left[0])
 
 
-def closed(arm: LoopArm, state: Array, work: LoopWork) -> float:
-    """Close the chains at a state (n + p,) by Newton's method; return what is left [m, rad]."""
+def closed(arm: LoopArm, state: Array, rounds: int, work: LoopWork) -> float:
+    """Close the chains at a state (n + p,) by steps of Newton's method; return what is left [m, rad]."""
     n = arm.spread.shape[1] - 1 - work.solved.shape[0]
     size = evaluate(arm, state, work)
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         if size <= ROUNDED or not size < FAR:
             break
         loop_slopes(arm, work.frames, work.ends, work.slopes)

@@ -7,6 +7,7 @@ import numpy.typing as npt
 
 from ropsim.kinematics.chain.arm_arrays import ArmArrays, arm_arrays, interface_poses
 from ropsim.kinematics.chain.arrays import ChainArrays
+from ropsim.kinematics.chain.closed_arrays import ClosedArrays
 from ropsim.kinematics.solutions.configurations import configurations, spread_between
 from ropsim.kinematics.solutions.polish import POSE_SLACK, TASK_SLACK, nearest_to, polished, polished_within
 from ropsim.kinematics.solutions.result import IkStatus, Miss, Posture, Shortfall
@@ -18,6 +19,8 @@ from ropsim.spatial import Array, frozen, record
 
 STARTS = 64
 """Starts that fill the range of the joints evenly, in addition to the caller's `near` and zeros."""
+CLOSED_STARTS = 12
+"""The same for arms with closed chains, whose steps take ten times as long, in addition to home."""
 FURTHER = 512
 """Starts of a search within the limits for poses without an answer there."""
 ROWS = 16
@@ -151,9 +154,13 @@ def distinct(answers: Array, near: Array, turning: Array, most: int = ROWS, same
 
 def numeric(robot: RobotModel) -> NumericSolver:
     """Return the numeric solver of an arm, of any kind."""
-    starts = np.vstack((configurations(robot, STARTS), np.zeros(robot.n)))
+    arrays = arm_arrays(robot)
+    if isinstance(arrays, ClosedArrays):
+        starts = np.vstack((robot.home, configurations(robot, CLOSED_STARTS)))
+    else:
+        starts = np.vstack((configurations(robot, STARTS), np.zeros(robot.n)))
     limits = np.stack((robot.lower_limits, robot.upper_limits))
-    return NumericSolver(arm_arrays(robot), frozen(starts), frozen(limits))
+    return NumericSolver(arrays, frozen(starts), frozen(limits))
 
 
 def may_reach(chain: ChainArrays, T: Array, strokes: float = 0.0) -> npt.NDArray[np.bool_]:

@@ -24,6 +24,7 @@ from ropsim.planning.entity_checks.entity_faults import guarded, with_reason
 from ropsim.planning.entity_checks.path_faults import unusable_tool_path
 from ropsim.planning.entity_checks.path_truth import misplaced_tool_path
 from ropsim.planning.kinds import TOOL_PATHS, PathRequest, ToolPathMaker
+from ropsim.planning.moves.chain_check import chain_refusals
 from ropsim.planning.moves.external_check import check_external, with_external
 from ropsim.planning.moves.move_check import check_joints, check_kind, check_values, is_near
 from ropsim.planning.moves.move_context import MoveContext, move_context_of
@@ -137,7 +138,7 @@ class StandardPathPlanner:
     def _plan_ptp(self, move: MoveInstruction, q_start: Array, so_far: PlannedPath) -> PlannedPath | Refusal:
         if not isinstance(move.target, Pose):
             goal = self._joint_goal(move)
-            return goal if isinstance(goal, Refusal) else self._with_joints(so_far, q_start, goal)
+            return goal if isinstance(goal, Refusal) else self._with_joints(move, so_far, q_start, goal)
         wrong = check_external(move, self.robot, self._range)
         if wrong:
             return Refusal(wrong)
@@ -157,9 +158,11 @@ class StandardPathPlanner:
         if not choice.keeps_posture and move.posture is None:
             changed = posture_change(move, self.robot, q_start, choice.q)
             so_far = replace(so_far, findings=so_far.findings + changed)
-        return self._with_joints(so_far, q_start, choice.q)
+        return self._with_joints(move, so_far, q_start, choice.q)
 
-    def _with_joints(self, so_far: PlannedPath, q_start: Array, q_end: Array) -> PlannedPath:
+    def _with_joints(
+        self, move: MoveInstruction, so_far: PlannedPath, q_start: Array, q_end: Array
+    ) -> PlannedPath | Refusal:
         """Return the plan of a PTP move; without a path where no joint moves."""
         if max(map(abs, (q_end - q_start).tolist())) <= ZERO_LENGTH:
             return so_far
@@ -168,6 +171,9 @@ class StandardPathPlanner:
             # limits beyond all numbers are left to the line: the move takes too long
             with suppress(ProfileError):
                 joints = SynchronisedJoints(q_start, q_end, so_far.limits.joints)
+        wrong = chain_refusals(move, self.robot, joints)
+        if wrong:
+            return Refusal(wrong)
         return PlannedPath(joints, None, so_far.limits, so_far.X_MT, so_far.findings)
 
     def _plan_tool(
