@@ -29,6 +29,7 @@ from ropsim.controller.law_diagnostics import GainError as GainError
 from ropsim.controller.law_diagnostics import LawError as LawError
 from ropsim.controller.law_model import LawModel as LawModel
 from ropsim.controller.law_model import law_model as law_model
+from ropsim.controller.laws import joint_law as joint_law
 from ropsim.controller.laws import law_of as law_of
 from ropsim.controller.motion_clock import ClockError as ClockError
 from ropsim.controller.motion_clock import ClockLimits as ClockLimits
