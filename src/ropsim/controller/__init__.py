@@ -39,6 +39,7 @@ from ropsim.controller.motion_clock import advance as advance
 from ropsim.controller.motion_clock import undisturbed as undisturbed
 from ropsim.controller.rehearsal import failed as failed
 from ropsim.controller.rehearsal import rehearse as rehearse
+from ropsim.controller.rehearsal import stopped as stopped
 from ropsim.controller.sensor_interface import CellSensors as CellSensors
 from ropsim.controller.sensor_interface import with_change as with_change
 from ropsim.controller.shifted_joints import braked as braked

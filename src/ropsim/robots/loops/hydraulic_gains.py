@@ -197,6 +197,7 @@ def _flow_rates(robot: Mechanism, rates: Rates) -> tuple[float, float, float]:
             rate *= _LESS
         mean = float(np.minimum(rate, swing * plants.swings).mean())
         if mean > most and rate > _LEAST:
+            rate = min(rate, float(swing * plants.swings.max()))
             best, most = (rate, damping * rate, swing), mean
     return best
 

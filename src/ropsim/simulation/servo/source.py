@@ -15,6 +15,8 @@ SLICE_SIGNATURE = (
 )
 
 
+MOST_OUTPUT = 1e300
+"""A law that puts out more, or NaN, ends the run: the coordinate becomes NaN, which no later tick mends."""
 NO_SENSORS = Sensing(())
 
 
@@ -90,6 +92,10 @@ def run_slice(
         efforts(x, u, constants, seen[2]){sensed}{measured}
         law({arguments})
         {amplified}
+        for j in range({n}):
+            if not abs(out[j]) <= {MOST_OUTPUT!r}:
+                u[j] = out[j]
+                x[j] = math.nan
         for _ in range(plant_steps):
             derivative(x, u, constants, k1)
             for j in range({size}):
