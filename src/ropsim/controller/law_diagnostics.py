@@ -91,7 +91,8 @@ MODULE_FAILS = define(
     """
 The module cannot be read as Python, raises an exception, or has no function of the name that is needed:
 `joint_controller(robot, controller)` for `file` in `[controller]`, which returns a `CompiledLaw` or an
-object with `traits` and `step`.
+object with `traits` and `step`; for a key of `[controller.entities]` the function of its name, such as
+`path_planner(standard, cell, station)`, which returns an object in place of the standard one.
 """,
 )
 

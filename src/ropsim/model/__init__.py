@@ -189,6 +189,8 @@ from ropsim.model.mechanism.placements import pose_matrices as pose_matrices
 from ropsim.model.mechanism.placements import snapped as snapped
 from ropsim.model.mechanism.springs import JointSpring as JointSpring
 from ropsim.model.mechanism.springs import Spring as Spring
+from ropsim.model.own_entities import Entity as Entity
+from ropsim.model.own_entities import OwnEntity as OwnEntity
 from ropsim.model.robots.arm_class import ArmClass as ArmClass
 from ropsim.model.robots.composition import beside as beside
 from ropsim.model.robots.composition import on_track as on_track

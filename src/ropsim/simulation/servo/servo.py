@@ -12,9 +12,9 @@ from ropsim.controller import (
     PythonLaw,
     compiled_half,
     failed,
+    joint_law,
     law_arrays,
     law_model,
-    law_of,
     rehearse,
     stopped,
 )
@@ -116,7 +116,7 @@ class Servo:
         check_drives(robot)
         check_model(robot)
         check_rates(controller.rates)
-        chosen = law or law_of(controller, robot)
+        chosen = law or joint_law(controller, robot)
         python_law = None if isinstance(chosen, CompiledLaw) else chosen
         inner = compiled_half(chosen, np.zeros(robot.n))
         check_law(inner, robot)
