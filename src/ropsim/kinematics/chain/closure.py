@@ -46,7 +46,7 @@ def closure(loops: ClosedArrays, q: Array) -> tuple[Array, Array]:
     return work.left[0], work.slopes @ loops.spread[:, loops.n : -1]
 
 
-def loop_gaps(loops: ClosedArrays, states: Array) -> Array:
+def cut_gaps(loops: ClosedArrays, states: Array) -> Array:
     """Return what is left between the frames of each cut at coordinates of axes and loops (k, n + p).
 
     Returns:
