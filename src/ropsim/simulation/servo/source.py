@@ -2,7 +2,7 @@
 
 from ropsim.codegen import Bounds, SourceFunction
 from ropsim.controller import CompiledLaw, LawTraits
-from ropsim.dynamics import ArmStructure
+from ropsim.dynamics import ArmStructure, step_code
 from ropsim.simulation.servo.log import LogLayout, floors
 from ropsim.simulation.servo.plant_code import plant_code
 from ropsim.simulation.servo.state import StateLayout
@@ -19,6 +19,7 @@ def servo_functions(structure: ArmStructure, law: CompiledLaw) -> tuple[SourceFu
     """Return the functions of the slice module; `run_slice` is the last."""
     return (
         *plant_code(structure).functions,
+        *((step_code(StateLayout.of(structure, law.traits).loops),) if structure.cuts else ()),
         *law.functions,
         SourceFunction("law", LAW_SIGNATURE, law.source, Bounds.CHECKED),
         SourceFunction("run_slice", SLICE_SIGNATURE, _slice_text(structure, law.traits)),
@@ -28,9 +29,9 @@ def servo_functions(structure: ArmStructure, law: CompiledLaw) -> tuple[SourceFu
 def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
     """Return `run_slice`: law, amplifiers and `plant_steps` Runge-Kutta steps for every tick, log and tally.
 
-    The steps are as in the classical method; closed chains are settled after each. The law receives the
-    values at the beginning of a tick: the reference in force and the measurement. At its end the next row of
-    the reference comes into force. A row of the log holds the values at that time, and the output of the
+    The steps are as in the classical method; those of closed chains are made by `loop_step`. The law receives
+    the values at the beginning of a tick: the reference in force and the measurement. At its end the next row
+    of the reference comes into force. A row of the log holds the values at that time, and the output of the
     amplifiers over the tick. `values` is the state vector; `ref`, `pending` and `memory` are parts of it by
     rows; `frame` (4, n), `stages` (5, m) and `now` (w,) are work arrays. Every tick enters the tally
     (4, w): `ends` (2, n) are the ranges of the joints, `full` (w,) are the values that count as limits; for
@@ -46,7 +47,7 @@ def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
     ]
     at_motors = "".join(f"\n        {line}" for line in motors)
     amplified = _delayed(n, traits.delay) if traits.delay else "amplify(out, constants, u)"
-    settled = "\n            settle(x, constants)" if structure.cuts else ""
+    step = "loop_step(x, u, h, stages, constants)" if structure.cuts else _RUNGE_KUTTA.format(size=size)
     log = LogLayout.of(structure.drives)
     q_ref, qd_ref = log.field("q_ref").first, log.field("qd_ref").first
     q = log.field("q").first
@@ -76,18 +77,7 @@ def run_slice(
         law(par, memory, ref, seen, load, aux[k], out)
         {amplified}
         for _ in range(plant_steps):
-            derivative(x, u, constants, k1)
-            for j in range({size}):
-                y[j] = x[j] + half * k1[j]
-            derivative(y, u, constants, k2)
-            for j in range({size}):
-                y[j] = x[j] + half * k2[j]
-            derivative(y, u, constants, k3)
-            for j in range({size}):
-                y[j] = x[j] + h * k3[j]
-            derivative(y, u, constants, k4)
-            for j in range({size}):
-                x[j] += sixth * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j]){settled}
+            {step}
         for j in range({n}):
             ref[0, j] = q_ref[k, j]
             ref[1, j] = qd_ref[k, j]
@@ -112,6 +102,22 @@ def run_slice(
                 tally[2, j] += 1.0
                 tally[3, j] = tick + k + 1
 """
+
+
+_RUNGE_KUTTA = """\
+derivative(x, u, constants, k1)
+            for j in range({size}):
+                y[j] = x[j] + half * k1[j]
+            derivative(y, u, constants, k2)
+            for j in range({size}):
+                y[j] = x[j] + half * k2[j]
+            derivative(y, u, constants, k3)
+            for j in range({size}):
+                y[j] = x[j] + h * k3[j]
+            derivative(y, u, constants, k4)
+            for j in range({size}):
+                x[j] += sixth * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j])"""
+"""A step from `x` on, in the loop of `run_slice`."""
 
 
 def _delayed(n: int, delay: int) -> str:
