@@ -16,7 +16,7 @@ Table: TypeAlias = tuple[tuple[str, ...], list[tuple[TableCell, ...]]]
 _SLOWEST = 3
 """Modes that are shown."""
 _LARGE = 1e3
-"""Factors from here on are not told apart from inf, and numbers have no exponent."""
+"""Factors from here on count as infinite, and numbers have no exponent."""
 
 
 @record
@@ -88,7 +88,7 @@ def conditions(rest: Rest) -> str:
 
 
 def notes(rest: Rest) -> tuple[str, ...]:
-    """Return the slowest modes, and what has no part in margins and modes."""
+    """Return the slowest modes, and the effects that margins and modes leave out."""
     frequencies, ratios = rest.modes
     shown = [
         f"{one:.3g} Hz (damping {ratio:.2g})"

@@ -13,7 +13,7 @@ from ropsim.spatial import Array, record
 from ropsim.views import Style, TableCell, Tone, columns_text
 
 _KEYS = ("kp", "kd", "kv", "ki")
-"""Gains that follow from bandwidths; the others stay those of the standard controller."""
+"""Gains that follow from bandwidths; the others stay as in the standard controller."""
 _LARGE = 1e3
 _COLUMNS = 80
 
@@ -67,7 +67,7 @@ def _wrapped(text: str) -> list[str]:
 
 
 def toml_lines(tuned: Tuned) -> list[str]:
-    """Return the section of `cell.toml` that gives the station these gains."""
+    """Return the section of `cell.toml` with these gains."""
     section = "controller" if tuned.station == ROBOT else f"stations.{tuned.station}.controller"
     names = [name for name in _KEYS if name in gain_names(tuned.controller.gains)]
     rows = [(name, getattr(tuned.controller.gains, name).tolist()) for name in names]

@@ -1,4 +1,4 @@
-"""`ropsim controller tune`: gains of a station from bandwidths, and what its loops bear over its places."""
+"""`ropsim controller tune`: gains of a station from bandwidths, and margins over the places of its arm."""
 
 import argparse
 import math
