@@ -38,6 +38,7 @@ BANDS = {
     "C6": Band(
         "Controller",
         (
+            "blockdiagram",
             "controller",
             "planning",
         ),

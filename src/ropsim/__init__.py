@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from ropsim.version import __version__ as __version__
 
 if TYPE_CHECKING:
+    from ropsim import blockdiagram as blockdiagram
     from ropsim import calibration as calibration
     from ropsim import cellfile as cellfile
     from ropsim import collision as collision
@@ -49,6 +50,7 @@ if TYPE_CHECKING:
 __all__ = [
     "RopsimError",
     "__version__",
+    "blockdiagram",
     "calibration",
     "cellfile",
     "collision",

@@ -339,6 +339,7 @@ def test_every_example_can_be_copied(tmp_path: Path) -> None:
         "crane",
         "fig5",
         "first_cell",
+        "four_squares",
         "operator",
         "palletizing",
         "track_and_table",

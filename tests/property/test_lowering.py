@@ -14,6 +14,7 @@ from ropsim.flow import (
     MotionKind,
     PostureRequest,
     Side,
+    TargetOrientation,
     ToolDirection,
 )
 from ropsim.program import (
@@ -146,6 +147,7 @@ expressions: dict[ValueType, st.SearchStrategy[Expression]] = {
             PostureRequest,
             st.sampled_from([(), ("left",), ("right", "up")]),
             st.lists(st.integers(-2, 2), max_size=3).map(tuple),
+            st.sampled_from(TargetOrientation),
         ),
     )
     | st.builds(

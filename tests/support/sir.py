@@ -4,7 +4,7 @@ from dataclasses import fields
 from enum import Enum
 
 from ropsim.core import Span
-from ropsim.flow import PostureRequest
+from ropsim.flow import PostureRequest, TargetOrientation
 from ropsim.program import (
     Binary,
     Component,
@@ -85,6 +85,7 @@ def _text(value: object) -> str:
             text = f"keeping[{_text(value.value)}, {_text(value.result)}]"
         case PostureRequest():
             text = f"{'-'.join(value.words) or 'any'} turns {list(value.turns)}"
+            text += " free" if value.orientation is TargetOrientation.FREE else ""
         case InAxes(operand=operand, axes=axes):
             text = f"in_axes[{_text(operand)}, ({_text(axes)})]"
         case Offset(operand=operand, way=way):

@@ -27,6 +27,7 @@ PLAIN = (
     "mov pick_up above 60 mm",
     "lin set_down speed 150 mm/s",
     "lin pick_up",
+    "lin pick_up free blend 5 mm",
     "speed 20 %",
     "open",
     "close",

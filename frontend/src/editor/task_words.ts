@@ -17,7 +17,7 @@ const STATEMENTS =
   'abort endon endtry endpar'
 const WORDS =
   'and or not mod in above offset rel is to then do true false here home each step from order grid off speed acc ' +
-  'blend fine timeout angle via at after before store external joints down rx ry rz rpy euler quat rotvec like pitch roll ' +
+  'blend fine timeout angle via at after before store external free joints down rx ry rz rpy euler quat rotvec like pitch roll ' +
   'track along gain yaw config turns analog input output'
 const FUNCTIONS = 'dist sqrt sin cos tan asin acos atan2 abs min max round trunc'
 

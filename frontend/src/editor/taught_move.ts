@@ -21,7 +21,7 @@ const DECLARATION = /^\s*(?:program|units|classic|strict|frame|loc|tool|signal|c
 const GIVEN = /^\s*[(\d]/
 /** A move whose target is missing before what says how it goes there. */
 const AIMLESS =
-  /^(\s*(?:\d+\.\s+)?(?:mov|lin))(\s+)(?:above|offset|rel|speed|acc|blend|fine|until|external)\b/i
+  /^(\s*(?:\d+\.\s+)?(?:mov|lin))(\s+)(?:above|offset|rel|speed|acc|blend|fine|until|external|free)\b/i
 const POINT = /^\s*loc\b/i
 const NOTE = /^\s*(?:$|#|\/\/)/
 const NAMED = /^\s*loc\s+(\w+)\s*:?=\s*(.*?)\s*$/i

@@ -2,7 +2,7 @@
 import type { Pose } from '../scene/description'
 import type { RunFacts } from '../wire/facts'
 import type { ResultFigures } from '../wire/result'
-import type { Finding, RunEvent } from './run'
+import type { Contour, Finding, RunEvent } from './run'
 
 export type ColumnCode =
   | { readonly kind: 'constant'; readonly value: number | null }
@@ -62,6 +62,8 @@ export interface PackHeader {
   readonly bodies: readonly PackedBody[]
   readonly events: readonly RunEvent[]
   readonly findings: readonly Finding[]
+  /** Absent in packs of older versions. */
+  readonly contours?: readonly Contour[]
   readonly result: ResultFigures
   readonly facts: RunFacts
 }

@@ -7,7 +7,7 @@ import { unitsByAxes } from './column_units'
 import { openPack, type PackHeader } from './pack_file'
 import { Placements } from './placements'
 import { between, POSE } from './pose'
-import type { ChannelInfo, Finding, Run, RunEvent, Series } from './run'
+import type { ChannelInfo, Contour, Finding, Run, RunEvent, Series } from './run'
 import { channelOf, type RunStation } from './station'
 import { speedChannel, speedOf, TCP_SPEED, valueIn } from './tcp_speed'
 import { type Trail, trailOf } from './trail'
@@ -100,6 +100,10 @@ export class RecordedRun implements Run {
 
   get findings(): readonly Finding[] {
     return this.#findings
+  }
+
+  get contours(): readonly Contour[] {
+    return this.#header.contours ?? []
   }
 
   get result(): ResultFigures {

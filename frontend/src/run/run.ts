@@ -38,6 +38,27 @@ export interface RunEvent {
   readonly data: Readonly<Record<string, unknown>>
 }
 
+/** Tool paths that followed upon each other, and how true the arm was to them; lengths in m, times in s. */
+export interface Contour {
+  readonly station: string
+  readonly name: string
+  readonly start: number
+  readonly end: number
+  readonly path_max: number
+  readonly path_mean: number
+  /** When the path error was the largest. */
+  readonly time: number
+  readonly tracking_max: number
+  readonly tracking_end: number
+  readonly overshoot: number | null
+  /** Of the base frame, in which it is drawn. */
+  readonly axes: readonly [string, string]
+  /** By which the distance of the attained path is enlarged. */
+  readonly factor: number
+  readonly wanted: readonly (readonly [number, number])[]
+  readonly attained: readonly (readonly [number, number])[]
+}
+
 export interface ChannelInfo {
   readonly name: string
   readonly unit: string
@@ -72,6 +93,8 @@ export interface Run {
   readonly channels: readonly ChannelInfo[]
   readonly events: readonly RunEvent[]
   readonly findings: readonly Finding[]
+  /** How true the arm was to its contours; undefined while it is live. */
+  readonly contours?: readonly Contour[] | undefined
   /** What is to be known of the run at once; undefined while it is live. */
   readonly result?: ResultFigures | undefined
   /** Penetrations of bodies, in order of time; undefined where they are not known. */

@@ -12,6 +12,7 @@ export const PANELS = [
   'messages',
   'states',
   'plot',
+  'contours',
   'jog',
   'signals',
   'cell',
@@ -171,7 +172,7 @@ export class Dock {
       const states = right('states', Math.min(420, wide * 0.34))
       within('program', states)
       within('problems', states)
-      below('plot', views, tall * 0.5)
+      within('contours', below('plot', views, tall * 0.5))
     } else if (preset === 'operate') {
       const signals = right('signals', Math.min(420, wide * 0.36))
       const jog = below('jog', signals, tall * 0.55)
@@ -206,7 +207,17 @@ export class Dock {
   ): { referencePanel: IDockviewPanel; direction: 'within' | 'right' | 'below' } | undefined {
     const open = (kinds: readonly string[]) =>
       this.#api.panels.find(panel => kinds.some(one => panel.id.startsWith(one)))
-    const side = open(['states', 'jog', 'signals', 'cell', 'problems', 'messages', 'program', 'tasks'])
+    const side = open([
+      'states',
+      'contours',
+      'jog',
+      'signals',
+      'cell',
+      'problems',
+      'messages',
+      'program',
+      'tasks',
+    ])
     // At the foot of the views: plots, and the line for commands.
     const foot = kind === 'plot' || kind === 'command'
     const reference = foot ? (open(['plot', 'command']) ?? open(['views'])) : (side ?? this.#api.panels[0])

@@ -15,6 +15,9 @@ import { PanelGuard } from './PanelGuard'
 // Plots and their library are a chunk of their own: the 3-D picture stands before it is here.
 const PlotPanel = lazy(async () => ({ default: (await import('../panels/PlotPanel')).PlotPanel }))
 
+// Contours are for whoever asks how true the arm was.
+const ContoursPanel = lazy(async () => ({ default: (await import('../panels/ContoursPanel')).ContoursPanel }))
+
 // So are the pages of the help.
 const HelpPanel = lazy(async () => ({ default: (await import('../panels/HelpPanel')).HelpPanel }))
 
@@ -52,6 +55,7 @@ export const panels: Record<PanelKind, FunctionComponent<IDockviewPanelProps>> =
   messages: guarded('messages', MessagesPanel),
   states: guarded('states', StatesPanel),
   plot: guarded('plot', PlotPanel),
+  contours: guarded('contours', ContoursPanel),
   jog: guarded('jog', JogPanel),
   signals: guarded('signals', SignalsPanel),
   cell: guarded('cell', CellPanel),

@@ -114,7 +114,7 @@ def _cell(root: TomlTable, folder_name: str, library: RobotLibrary) -> Cell | No
     frames = read_frames(root.named("frames"), axes, others, units)
     places_of = root.named("locations")
     external = read_external_values(places_of, stations, units)
-    locations, given = read_locations(places_of, frames, units)
+    locations, given, free = read_locations(places_of, frames, units)
     located = {name: frame for name, frame in given.items() if frames[frame].parent != WORLD}
     classic = _classic(root.table("classic"), frames)
     around = Surroundings(units, locations, located)
@@ -139,6 +139,7 @@ def _cell(root: TomlTable, folder_name: str, library: RobotLibrary) -> Cell | No
         devices=devices,
         frames=frames,
         locations=locations,
+        free=free,
         located=located,
         given={name: frame for name, frame in given.items() if name not in located},
         parts=tuple(part for group in groups for part in group.parts),

@@ -187,3 +187,20 @@ position = [100, 0, 0]
 ```
 """,
 )
+
+LAW_FILE = define(
+    "X930",
+    "no-law-file",
+    Severity.ERROR,
+    "the file of a joint controller is of another kind, or the robot has no drives",
+    """
+`file` in `[controller]` names the file of a joint controller in the project: a block diagram as an exchange
+file (`.p21`, `.stp`, `.step`), or a module in Python (`.py`). A robot without drives follows its reference
+exactly and takes none.
+
+```toml
+[controller]
+file = "controllers/pi.p21"
+```
+""",
+)

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
+from ropsim.model import MEASURED
 from ropsim.tomltext import Question
 
 # By the end of the dotted name, the longest one that is here; `*` stands for a name chosen by the user.
@@ -57,7 +58,11 @@ MEANINGS: Mapping[str, str] = {
     "kf": "Share of the reference speed that is fed forward, one for each joint.",
     "ke": "Voltage or torque fed forward for the reference speed, one for each joint.",
     "ka": "Voltage or torque fed forward for the reference acceleration, one for each joint.",
-    "law": "The control law: computed torque, or loops of fixed gains, joint by joint.",
+    "controller.file": "The joint controller: a block diagram of the project, or a module in Python.",
+    "law": "The control law; which ones a robot may have depends on its drives.",
+    "corner": "Corner of the low pass of measured forces, one for each joint.",
+    "swing": "Most of the position gain over the frequency of the swing on the oil, one for each joint.",
+    "lead": "Lag of valve and control that is made up for, one for each joint.",
     "kd": "Speed gain under computed torque, one for each joint.",
     "path_speed": "Speed of the tool on its paths where the program says nothing.",
     "path_acceleration": "Acceleration of the tool on its paths where the program says nothing.",
@@ -73,6 +78,22 @@ MEANINGS: Mapping[str, str] = {
     "settle_timeout": "Longest wait for that.",
     "look_ahead": "How many moves ahead the controller knows; else ten, or 1.5 braking distances.",
     "via_zone": "Distance at which via points are passed where the program gives no zone.",
+    "controller.sensors": "What the sensors of the joint controller do to what they measure.",
+    "sensors.seed": "Seed of their noise.",
+    **{f"sensors.{name}.step": "Least step of its numbers, in place of bits." for name in MEASURED},
+    "sensors.coordinate": "The sensor of the coordinate of each joint.",
+    "sensors.speed": "The sensor of the speed of each joint or motor.",
+    "sensors.torque": "The sensor of the torque or force of each drive.",
+    "sensors.pressure": "The sensors of both pressures of each hydraulic drive.",
+    "sensors.opening": "The sensor of the opening of each valve.",
+    "sensors.current": "The sensor of the current of each motor.",
+    "sensors.motor_coordinate": "The sensor of each motor behind an elastic gear.",
+    "sensors.motor_speed": "The sensor of the speed of each motor behind an elastic gear.",
+    "bits": "Digits of its numbers over its range.",
+    "range": "Least to greatest number with its bits; a turn for angles.",
+    "noise": "Standard deviation of its noise.",
+    "rate": "Samples in a second; else one at each control tick.",
+    "delay": "Time from a sample to the law.",
     "correction_size": "How far a sensor may shift a path to either side.",
     "correction_speed": "How quickly a sensor may shift a path.",
     "correction_acceleration": "How quickly the shift of a path may change its speed.",
@@ -121,6 +142,7 @@ MEANINGS: Mapping[str, str] = {
     "frame": "Name of the frame in which position and orientation are given.",
     "down": "Whether the tool points straight down where no orientation is given.",
     "external": "Where the external axes stand at this location.",
+    "locations.*.orientation": "Whether the orientation of the tool counts: `given`, or `free`.",
     "locations.*.station": "Station whose external axes `external` is for.",
     "signals": "Inputs and outputs by name.",
     "signals.*": "A signal that programs read or set.",

@@ -36,6 +36,15 @@ def program_in_cell_file(text: SourceText | None, station: str) -> Span | None:
     return places.value((*path, "program")) if (*path, "program") in places.keys else places.key(path)
 
 
+def law_file_in_cell_file(text: SourceText | None, station: str) -> Span | None:
+    """Return where a cell file names the file of the joint controller of a station; None without a text."""
+    if text is None:
+        return None
+    places = positions(text)
+    path = ("controller", "file") if station == ROBOT else ("stations", station, "controller", "file")
+    return places.value(path) if path in places.keys else None
+
+
 def mesh_in_files(texts: Sequence[SourceText], file: str) -> Span | None:
     """Return where valid cell and robot files have the mesh `file`, or else the start of the first of them.
 

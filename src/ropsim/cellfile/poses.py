@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 
+from ropsim.flow import TargetOrientation
 from ropsim.model import WORLD, Frame
 from ropsim.spatial import Pose, quaternion
 from ropsim.tomltext import TomlTable, Units, note_metres, pose_of, read_orientation, read_pose
@@ -20,14 +21,20 @@ def read_base(table: TomlTable, units: Units) -> Pose:
 
 def read_locations(
     tables: Mapping[str, TomlTable], frames: Mapping[str, Frame], units: Units
-) -> tuple[dict[str, Pose], dict[str, str]]:
-    """Return the named tool poses X_WT, and the names of the frames in which some are given.
+) -> tuple[dict[str, Pose], dict[str, str], frozenset[str]]:
+    """Return the named tool poses X_WT, the frames in which some are given, and those with free orientation.
 
     A location may be given in one of `frames`; the pose of one in a frame that moves is X_KT.
     """
+    free = frozenset(name for name, table in tables.items() if _is_free(table))
     found = {name: _location(table, frames, units) for name, table in tables.items()}
     given = {name: frame for name, (_, frame) in found.items() if frame}
-    return {name: pose for name, (pose, _) in found.items()}, given
+    return {name: pose for name, (pose, _) in found.items()}, given, free
+
+
+def _is_free(table: TomlTable) -> bool:
+    given, free = (one.value for one in TargetOrientation)
+    return table.choice("orientation", (given, free), given) == free
 
 
 def _location(table: TomlTable, frames: Mapping[str, Frame], units: Units) -> tuple[Pose, str]:

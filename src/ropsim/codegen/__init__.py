@@ -1,5 +1,6 @@
 """Generated code: traced expressions, straight-line source, compiled and cached modules."""
 
+from ropsim.codegen.formulas.derivative import rates_of as rates_of
 from ropsim.codegen.formulas.emit import SourceFunction as SourceFunction
 from ropsim.codegen.formulas.emit import emit as emit
 from ropsim.codegen.formulas.emit import row_by_row as row_by_row
@@ -35,6 +36,7 @@ from ropsim.codegen.machine.door import bound as bound
 from ropsim.codegen.machine.signature import Array1 as Array1
 from ropsim.codegen.machine.signature import Array2 as Array2
 from ropsim.codegen.machine.signature import Array3 as Array3
+from ropsim.codegen.source_text import source_function as source_function
 from ropsim.codegen.vector.columns import columns as columns
 from ropsim.codegen.vector.shapes import as_row as as_row
 from ropsim.codegen.vector.shapes import as_table as as_table

@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 from ropsim.codegen import SourceFunction
+from ropsim.controller.law_model import LawModel
 from ropsim.core import frozen_dataclass
 from ropsim.model import InputKind, Payload
 from ropsim.spatial import Array, frozen, record
@@ -20,6 +21,9 @@ class LawTraits:
             PI law; a start at rest sets it so that the arm does not sag. None without one.
         aux: names of signals of the cell that it reads at every control tick.
         delay: control ticks between a measurement and the moment when the output made of it acts.
+        sensed: names of states of the drives that it reads, such as `pressure_a`, `opening`, `current`,
+            `motor_coordinate`: those that `ropsim.dynamics.DriveChain.states` of a drive has.
+        sensed_axes: numbers of the axes whose drives must have all of these; None for all axes.
     """
 
     u_kind: InputKind | None = None
@@ -27,15 +31,17 @@ class LawTraits:
     hold_row: int | None = None
     aux: tuple[str, ...] = ()
     delay: int = 0
+    sensed: tuple[str, ...] = ()
+    sensed_axes: tuple[int, ...] | None = None
 
 
 @record
 class CompiledLaw:
     """A joint controller that is compiled into the servo slice.
 
-    `source` is the `def` statement of `law(par, state, ref, meas, load, aux, out)`, called at every control
-    tick with the values at that instant. It may use `math`, loops and the shapes of its arguments, which are
-    float64 arrays:
+    `source` is the `def` statement of `law`, called at every control tick with the values at that instant. It
+    has those of the following arguments that it needs, in any order, and may use `math`, loops and the shapes
+    of these float64 arrays:
 
     - `par` (p, n): the parameters, one row each;
     - `state` (s, n): state of the law; changed in place;
@@ -43,12 +49,21 @@ class CompiledLaw:
     - `meas` (3, n): coordinates of the joints and speeds measured at that instant, and the torques of the
       drives at the joints; speeds are motor speeds over the gear ratio, which differ from joint speeds with
       elastic gears;
+    - `sensed` (r, n): the states of the drives that `traits.sensed` names, in the sense of the motor, 0 where
+      a drive does not have one;
+    - `drive` (d, n) and `model` (m,): numbers of the arm as the law believes it to be, and functions that
+      take them: see `LawModel`;
+    - `work` (w, n): room for rows that `work_names` names; what is in it is not kept;
     - `load` (10,): tool and grasped part in the mechanical interface frame: mass m [kg], m·c [kg·m] (3), and
       inertia about the origin of that frame as xx, yy, zz, xy, xz, yz [kg·m²];
     - `aux` (a,): values of the signals that `traits.aux` names;
     - `out` (n,): input of the amplifiers, set by the law, in V for DC motors; positive drives the joint
       forward, for any sign of the gear ratio. The amplifier clips it; keeping an integral sound meanwhile
       (anti-windup) is the task of the law.
+
+    A row may be written by its name: `par[kp, j]`, `state[integral, j]`, `sensed[pressure_a, j]`,
+    `work[tau]`; names that loops count keep their values. Seven arguments with other names are par, state,
+    ref, meas, load, aux, out.
 
     The output holds until that of the next tick. Parameters are run-time values: other gains, same code. An
     index beyond an array ends the run with a finding.
@@ -60,6 +75,8 @@ class CompiledLaw:
         parameters: shape (p, n).
         traits: declared properties.
         functions: generated functions that `source` calls.
+        model: the arm as the law believes it to be; None for a law that does not ask.
+        work_names: names of the rows of `work`.
     """
 
     name: str
@@ -68,6 +85,8 @@ class CompiledLaw:
     parameters: Array
     traits: LawTraits = field(default_factory=LawTraits)
     functions: tuple[SourceFunction, ...] = ()
+    model: LawModel | None = None
+    work_names: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "parameters", frozen(self.parameters))
@@ -84,6 +103,8 @@ class LawInput:
             torques of the drives at the joints [N·m | N], shape (3, n).
         payload: tool and grasped part.
         aux: values of the signals that the traits name, shape (a,).
+        sensed: states of the drives that the traits name, in the sense of the motor, shape (r, n).
+        model: the arm, as a law may know it.
     """
 
     time: float
@@ -91,6 +112,8 @@ class LawInput:
     meas: Array
     payload: Payload
     aux: Array
+    sensed: Array
+    model: LawModel
 
 
 class PythonLaw(Protocol):

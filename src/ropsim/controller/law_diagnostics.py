@@ -27,7 +27,8 @@ GAINS_OF_ANOTHER_LAW = define(
     "a controller has gains that its law does not take",
     """
 The kind of a controller model says which law it is, and each law has gains of its own: `CascadedGains` for
-`cascaded_p_pi`, `ComputedTorqueGains` for `computed_torque`.
+`cascaded_p_pi`, `ComputedTorqueGains` for `computed_torque`, `FlowGains` for `flow_load_damping`, `PiGains`
+for `parallel_pi`.
 """,
 )
 
@@ -46,8 +47,9 @@ A law of your own cannot be read as Python, raises an exception, cannot be compi
 arrays or puts out NaN. It is tried once in plain Python before a run, at rest and on its reference, with
 every index checked; while it runs, indexes are checked too. The message says what it did.
 
-A compiled law is the source of `law(par, state, ref, meas, load, aux, out)`; it may use `math`, loops and
-arithmetic on its arrays. `par` has the shape of the parameters, `state` one row for each name in
+A compiled law is the source of `law`, whose arguments have names: `out`, and of `par`, `state`, `ref`,
+`meas`, `sensed`, `drive`, `model`, `work`, `load`, `aux` those that it needs. It may use `math`, loops and
+arithmetic on these arrays. `par` has the shape of the parameters, `state` one row for each name in
 `traits.state_names`, `ref` and `meas` three rows, `out` one number per joint.
 """,
 )
@@ -59,8 +61,36 @@ LAW_DOES_NOT_FIT = define(
     "a joint controller does not fit the drives or the cell",
     """
 What a law says about itself (`traits`) does not go together with the arm: it puts out voltages where a drive
-takes torques, it has a negative delay, it names a row of its state that it does not have, or it reads a
-signal that the cell does not have.
+takes torques, it has a negative delay, it names a row of its state that it does not have, it reads a
+signal that the cell does not have, or a state of its drives, such as `pressure_a`, that one of them does not
+have. The message says which states that drive has.
+""",
+)
+
+MODULE_NOT_TRUSTED = define(
+    "C628",
+    "module-not-trusted",
+    Severity.ERROR,
+    "a controller is a module of a project that is not trusted",
+    """
+`file = "controllers/mine.py"` in `[controller]` takes a joint controller in Python from the project. Such
+code can do whatever you can do, so it runs only in folders that you trust. Until then no program of the
+project runs.
+
+If you know where the project comes from, `ropsim trust PATH` lets its code run, `ropsim trust PATH --revoke`
+takes that back. A block diagram (`.p21`) is data and needs no trust.
+""",
+)
+
+MODULE_FAILS = define(
+    "C629",
+    "module-fails",
+    Severity.ERROR,
+    "a module of the project that makes a controller does not do its work",
+    """
+The module cannot be read as Python, raises an exception, or has no function of the name that is needed:
+`joint_controller(robot, controller)` for `file` in `[controller]`, which returns a `CompiledLaw` or an
+object with `traits` and `step`.
 """,
 )
 

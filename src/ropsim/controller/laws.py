@@ -4,23 +4,30 @@ from collections.abc import Callable
 
 from ropsim.controller.cascaded_p_pi import cascaded_p_pi
 from ropsim.controller.computed_torque import computed_torque
-from ropsim.controller.law import CompiledLaw
+from ropsim.controller.diagrams.law_files import law_of_file
+from ropsim.controller.hydraulics.flow_law import flow_load_damping
+from ropsim.controller.hydraulics.parallel_pi import parallel_pi
+from ropsim.controller.law import CompiledLaw, PythonLaw
 from ropsim.controller.law_diagnostics import GAINS_OF_ANOTHER_LAW, GainError
 from ropsim.model import ControllerKind, ControllerModel, Mechanism
 
-LAWS: dict[ControllerKind, Callable[[ControllerModel, Mechanism], CompiledLaw]] = {
+LAWS: dict[ControllerKind, Callable[[ControllerModel, Mechanism], CompiledLaw | PythonLaw]] = {
     ControllerKind.CASCADED_P_PI: cascaded_p_pi,
     ControllerKind.COMPUTED_TORQUE: computed_torque,
+    ControllerKind.FILE: law_of_file,
+    ControllerKind.FLOW_LOAD_DAMPING: flow_load_damping,
+    ControllerKind.PARALLEL_PI: parallel_pi,
 }
 """Without the ideal one: no drive follows it."""
 
 
-def law_of(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
+def law_of(model: ControllerModel, robot: Mechanism) -> CompiledLaw | PythonLaw:
     """Return the law of a controller model.
 
     Raises:
         GainError: the gains do not fit the law or the arm, or it is the ideal one, which has no law.
-        LawError: C602, the drives of the arm do not take the output of the law.
+        LawError: C602, C628, C629: the law does not fit, or a module of the project is not trusted or fails.
+        DiagramError: C621 to C626, a block diagram is wrong or does not fit.
     """
     if model.kind not in LAWS:
         message = f"law `{model.kind.value}` has no gains, so it drives no motors"

@@ -1,16 +1,13 @@
 """A first call of a user's law, in plain Python, before the real ones."""
 
-import math
 from pathlib import Path
 from traceback import extract_tb
-from typing import Any
 
 import numpy as np
 
 from ropsim.controller.law import CompiledLaw
+from ropsim.controller.law_code import ARGUMENTS, in_python, law_arrays, law_code
 from ropsim.controller.law_diagnostics import LAW_FAILS, LawError
-
-_LOAD = 10
 
 
 def rehearse(law: CompiledLaw, n: int) -> None:
@@ -23,27 +20,25 @@ def rehearse(law: CompiledLaw, n: int) -> None:
     Raises:
         LawError: C601, it is no Python, has another name, raises, indexes beyond its arrays, or returns NaN.
     """
-    scope: dict[str, Any] = {"math": math, "np": np}
+    code = law_code(law)
+    if code.unknown:
+        known = ", ".join(ARGUMENTS)
+        raise _fails(law, f"`law` has an argument `{code.unknown[0]}`; allowed are {known}")
+    if "out" not in code.arguments:
+        raise _fails(law, "`law` has no argument `out`, which takes the input of the amplifiers")
     try:
-        for one in law.functions:
-            exec(one.text, scope)
-        exec(compile(law.source, f"<law {law.name}>", "exec"), scope)  # its author runs this process
-        function = scope["law"]
+        function = in_python(law)
     except KeyError:
         raise _fails(law, "its source defines no function `law`") from None
     except Exception as error:  # any exception of a user's source is reported
         raise _fails(law, f"its source is no Python: {_description(error)}") from error
-    out = np.zeros(n)
-    arrays = (
-        np.array(law.parameters),
-        np.zeros((len(law.traits.state_names), n)),
-        *(np.zeros((3, n)), np.zeros((3, n)), np.zeros(_LOAD), np.zeros(len(law.traits.aux))),
-    )
+    arrays = law_arrays(law, n)
     try:
         with np.errstate(all="ignore"):
-            function(*arrays, out)
+            function(arrays)
     except Exception as error:  # any exception of a user's source is reported
         raise _fails(law, f"at rest it stops with {_description(error)}") from error
+    out = arrays["out"]
     if not np.isfinite(out).all():
         raise _fails(law, f"at rest it puts out `{out.tolist()}`; every number must be finite")
 
@@ -54,7 +49,7 @@ def failed(law: CompiledLaw, error: Exception) -> LawError:
 
 
 def _fails(law: CompiledLaw, found: str) -> LawError:
-    hint = "the signature is `law(par, state, ref, meas, load, aux, out)`; see docs/how-to/own-controller.md"
+    hint = "`law(par, state, ref, meas, load, aux, out)`, or some by name; see docs/how-to/own-controller.md"
     return LawError(LAW_FAILS.at(None, f"law `{law.name}` fails: {found}", hint=hint))
 
 

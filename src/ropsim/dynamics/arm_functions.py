@@ -5,6 +5,7 @@ from functools import lru_cache
 
 from ropsim.codegen import Compiled, Engine, Formula, GivenCode, Scalar, Tracer, default_engine
 from ropsim.dynamics.long_arms.long_arm import LongArmFunctions
+from ropsim.dynamics.loops.closed_arm import ClosedArmFunctions
 from ropsim.dynamics.model_check import check_model
 from ropsim.dynamics.structure import ArmStructure, arm_numbers, structure_of, traced_numbers
 from ropsim.dynamics.traced.forward_dynamics import trace_solve
@@ -63,15 +64,20 @@ class ArmFunctions:
         return self._made[name]
 
 
+AnyArmFunctions = ArmFunctions | LongArmFunctions | ClosedArmFunctions
+
+
 @lru_cache(maxsize=256)
-def _compiled(robot: Mechanism, payload: Payload | None, engine: Engine) -> ArmFunctions | LongArmFunctions:
+def _compiled(robot: Mechanism, payload: Payload | None, engine: Engine) -> AnyArmFunctions:
     check_model(robot)
+    if robot.cuts:
+        return ClosedArmFunctions(robot, payload, engine)
     return (LongArmFunctions if structure_of(robot).is_long else ArmFunctions)(robot, payload, engine)
 
 
 def compiled(
     robot: Mechanism, payload: Payload | None = None, engine: Engine | None = None
-) -> ArmFunctions | LongArmFunctions:
+) -> AnyArmFunctions:
     """Return the compiled functions of an arm.
 
     Models are compared by content: an equal one, in this process or a later one, is not compiled again; nor
@@ -85,7 +91,7 @@ def compiled(
     Raises:
         JointCountError: the arm has no joints, or not exactly one link for each of them and one drive for
             each axis.
-        MechanismError: the mechanism cannot be, or has closed chains.
+        MechanismError: the mechanism cannot be, or its closed chains cannot move.
         ModelNumberError: a number of the model is not finite.
     """
     return _compiled(robot, payload, engine or default_engine())

@@ -4,6 +4,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.dynamics.drives import reflected_inertia
+from ropsim.dynamics.loops.tree_motion import step_ratios
 from ropsim.dynamics.mass_check import check_masses, idle_axes, missing_inertia
 from ropsim.kinematics import frames_of_steps
 from ropsim.model import BASE_LINK, JointType, Linkage, Mechanism, joint_tree
@@ -30,6 +31,7 @@ def mass_matrices(robot: Mechanism, Q: npt.ArrayLike) -> Array:
     check_masses(robot)
     tree, frames = joint_tree(robot), frames_of_steps(robot, Q)  # (k, m, 4, 4)
     k, n = len(frames), robot.n
+    ratios = step_ratios(robot, Q) if robot.cuts else tree.T
     found = np.zeros((k, n, n))
     for i, link in enumerate(robot.links):
         step, X_SL = tree.carriers[i], tree.X_SL[i]
@@ -48,7 +50,7 @@ def mass_matrices(robot: Mechanism, Q: npt.ArrayLike) -> Array:
                 linear[:, :, j] = cross(z, centre - frames[:, j, :3, 3])
                 angular[:, :, j] = z
         if not tree.parallel:
-            linear, angular = linear @ tree.T, angular @ tree.T
+            linear, angular = linear @ ratios, angular @ ratios
         about_centre = R @ link.inertia @ R.transpose(0, 2, 1)
         found += (
             link.mass * linear.transpose(0, 2, 1) @ linear

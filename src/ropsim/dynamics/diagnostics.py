@@ -79,6 +79,26 @@ rules, and `ropsim run --kinematic` needs none.
 )
 
 
+LOOP_OUT_OF_REACH = define(
+    "M592",
+    "closed-chain-out-of-reach",
+    Severity.ERROR,
+    "closed chains of an arm cannot be closed with its axes where they are to be",
+    """
+The coordinates that closed chains determine follow from those of the axes. Some coordinates of the axes are
+beyond what the links reach: a rod is too short, or a chain is in a dead centre on the way. There is no torque
+for such a position, as there is no such position.
+
+Take coordinates that the chains can follow on the straight way of the axes from the home position, or limit
+the axes to these.
+""",
+)
+
+
+class LoopError(RopsimError):
+    """Closed chains do not close."""
+
+
 class MissingMassError(RopsimError):
     """An arm lacks the masses that its equations of motion need."""
 

@@ -23,7 +23,7 @@ def effort_limits(robot: Mechanism) -> Array:
     Raises:
         JointCountError: the arm has no joints, or not exactly one link for each of them and one drive for
             each axis.
-        MechanismError: the mechanism cannot be, or has closed chains.
+        MechanismError: the mechanism cannot be, or its closed chains cannot move.
         ModelNumberError: a drive cannot exist.
     """
     check_model(robot)

@@ -21,6 +21,7 @@ from ropsim.codegen import (
 from ropsim.dynamics.arm_functions import identifier
 from ropsim.dynamics.diagnostics import WRONG_SHAPE, StateShapeError
 from ropsim.dynamics.long_arms.long_arm import chain_numbers, chain_torque_code
+from ropsim.dynamics.loops.closed_arm import ClosedArmFunctions
 from ropsim.dynamics.model_check import check_model
 from ropsim.dynamics.structure import ArmStructure, arm_numbers, structure_of, traced_numbers
 from ropsim.dynamics.traced.newton_euler import trace_inverse
@@ -98,7 +99,7 @@ def effort_rows(robot: Mechanism, payload: Payload | None = None, engine: Engine
     Raises:
         JointCountError: the arm has no joints, or not exactly one link for each of them and one drive for
             each axis.
-        MechanismError: the mechanism cannot be, or has closed chains.
+        MechanismError: the mechanism cannot be, or its closed chains cannot move.
         ModelNumberError: a number of the model is not finite.
     """
     return _effort_rows(robot, payload, engine or default_engine())
@@ -107,6 +108,8 @@ def effort_rows(robot: Mechanism, payload: Payload | None = None, engine: Engine
 @lru_cache(maxsize=256)
 def _effort_rows(robot: Mechanism, payload: Payload | None, engine: Engine) -> EffortRows:
     check_model(robot)
+    if robot.cuts:
+        return EffortRows(robot.n, ClosedArmFunctions(robot, payload, engine).inverse_rows)
     structure, numbers = structure_of(robot), arm_numbers(robot, payload)
     if structure.is_long:
         sides = sides_code(structure)

@@ -1,15 +1,16 @@
-"""The efforts of gravity at the axes, for many configurations at once and without compiling anything."""
+"""The efforts of gravity and springs at the axes, for many configurations, without compiling anything."""
 
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.dynamics.loops.tree_motion import spring_loads, step_ratios
 from ropsim.kinematics import frames_of_steps
 from ropsim.model import BASE_LINK, JointType, Mechanism, joint_tree
 from ropsim.spatial import Array, Pose, cross
 
 
 def gravity_loads(robot: Mechanism, Q: npt.ArrayLike) -> Array:
-    """Return the efforts that hold the arm against gravity: -Σ Jᵥᵀ·m·g over the links.
+    """Return the efforts that hold the arm against gravity and springs: -Σ Jᵥᵀ·m·g over the links.
 
     Jᵥ is the Jacobian of the centre of mass of a link, m its mass, g the acceleration of free fall.
 
@@ -35,4 +36,8 @@ def gravity_loads(robot: Mechanism, Q: npt.ArrayLike) -> Array:
             slides = tree.types[j] is JointType.PRISMATIC
             along = z if slides else cross(z, centre - frames[:, j, :3, 3])
             found[:, j] -= link.mass * (along @ robot.gravity)
-    return np.asarray(found if tree.parallel else found @ tree.T)
+    if robot.cuts:
+        found = (found[:, np.newaxis] @ step_ratios(robot, Q))[:, 0]
+    elif not tree.parallel:
+        found = found @ tree.T
+    return np.asarray(found + spring_loads(robot, Q) if robot.springs or robot.joint_springs else found)

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from ropsim.codegen import Scalar, Tracer
 from ropsim.dynamics.structure import ArmStructure, TracedNumbers
-from ropsim.dynamics.traced.mass_matrix import joined_bodies, moved_body
+from ropsim.dynamics.traced.mass_matrix import joined_bodies, moved_body, trace_mass_matrix
 from ropsim.dynamics.traced.newton_euler import trace_inverse
 from ropsim.dynamics.traced.traced_arm import TracedArm, trace_arm, traced_body
 from ropsim.dynamics.traced.traced_drives import joint_sides
@@ -60,8 +60,26 @@ def trace_loaded_links(
     q, qdd = motion
     zero = tracer.constant(0.0)
     arm = _loaded(trace_arm(tracer, structure, numbers, q), load)
-    weightless = replace(arm, base_acceleration=(zero, zero, zero))
+    weightless = replace(arm, base_acceleration=(zero, zero, zero), springs=(), sprung=())
     return trace_inverse(weightless, [zero] * structure.n, list(qdd))
+
+
+def trace_loaded_inertias(
+    tracer: Tracer, structure: ArmStructure, numbers: TracedNumbers, q: Axes, load: list[Scalar]
+) -> list[Scalar]:
+    """Return the inertia that each axis moves while the others stand: the diagonal of the mass matrix.
+
+    Args:
+        tracer: the graph.
+        structure: of the arm.
+        numbers: of the arm without payload.
+        q: coordinates of the axes.
+        load: as in `trace_loaded_inverse`.
+    """
+    arm = _loaded(trace_arm(tracer, structure, numbers, q), load)
+    still = [tracer.constant(0.0)] * structure.n
+    sides = joint_sides(structure, numbers.drives, tracer, (q, still))
+    return [row[-1] + side.inertia for row, side in zip(trace_mass_matrix(arm), sides, strict=True)]
 
 
 def _loaded(arm: TracedArm, load: list[Scalar]) -> TracedArm:

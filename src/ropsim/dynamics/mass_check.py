@@ -48,10 +48,18 @@ def check_inertias(robot: Mechanism, payload: Payload | None) -> None:
     check_masses(robot)
     n = robot.n
     entries = np.empty(n * n)
-    compiled(robot, payload).mass_matrix(robot.home + _STEP * np.arange(1, n + 1), entries)
+    compiled(robot, payload).mass_matrix(uneven_posture(robot), entries)
     idle = idle_axes(entries.reshape(n, n))
     if idle:
         raise missing_inertia(robot, idle)
+
+
+def uneven_posture(robot: Mechanism) -> Array:
+    """Return a posture in which no axes are parallel by chance [rad | m], shape (n,).
+
+    It is the home position in an arm with closed chains, which others may not reach.
+    """
+    return robot.home if robot.cuts else robot.home + _STEP * np.arange(1, robot.n + 1)
 
 
 def missing_inertia(robot: Mechanism, idle: tuple[int, ...]) -> MissingMassError:

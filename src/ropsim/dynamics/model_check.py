@@ -1,5 +1,7 @@
 """Whether the dynamics of an arm can be computed."""
 
+from functools import lru_cache
+
 from ropsim.dynamics.diagnostics import (
     IMPOSSIBLE_DRIVE,
     WRONG_COUNT,
@@ -7,7 +9,8 @@ from ropsim.dynamics.diagnostics import (
     ModelNumberError,
 )
 from ropsim.dynamics.drives import drive_fault
-from ropsim.model import Mechanism, check_open
+from ropsim.kinematics import LOOP_LOOSE, loop_freedom
+from ropsim.model import Mechanism, MechanismError, check_mechanism
 
 
 def check_model(robot: Mechanism) -> None:
@@ -15,17 +18,27 @@ def check_model(robot: Mechanism) -> None:
 
     Raises:
         JointCountError: the arm has no joints, or not exactly one link and one drive for each.
-        MechanismError: the mechanism cannot be, or has closed chains that are cut.
+        MechanismError: the mechanism cannot be, or its closed chains cannot be closed or hold an axis.
         ModelNumberError: a drive cannot exist.
     """
     _check_counts(robot)
-    check_open(robot)
+    check_mechanism(robot)
+    if robot.cuts:
+        _check_loops(robot)
     for joint, drive in zip(robot.axis_joints, robot.drives, strict=bool(robot.drives)):
         fault = drive_fault(drive)
         if fault:
             what, why = fault
             message = f"{what} of the drive of joint `{joint.name}` of arm `{robot.name}` {why}"
             raise ModelNumberError(IMPOSSIBLE_DRIVE.at(None, message, hint="look it up in the data sheet"))
+
+
+@lru_cache(maxsize=64)
+def _check_loops(robot: Mechanism) -> None:
+    """Make sure that closed chains can be closed and move; coordinates that they leave free are no fault."""
+    for found in loop_freedom(robot):
+        if found.code != LOOP_LOOSE.code:
+            raise MechanismError(found)
 
 
 def _check_counts(robot: Mechanism) -> None:

@@ -2,18 +2,14 @@
 
 from functools import lru_cache
 
-import numpy as np
-
 from ropsim.dynamics.axis_inertia import mass_matrices
 from ropsim.dynamics.diagnostics import AXIS_WITHOUT_INERTIA, MissingMassError
 from ropsim.dynamics.drives import reflected_inertia
-from ropsim.dynamics.mass_check import idle_axes
+from ropsim.dynamics.mass_check import idle_axes, uneven_posture
 from ropsim.model import Mechanism
 
 _SINGULAR = 1e-9
 """Pivot of a mass matrix, relative to its diagonal, that no simulation can divide by at every step."""
-_STEP = 0.6180339887498949
-"""Distance between the coordinates of a posture in which no axes are parallel by chance [rad | m]."""
 
 
 def massless_axes(robot: Mechanism) -> tuple[int, ...]:
@@ -47,7 +43,7 @@ def check_moved_masses(robot: Mechanism) -> None:
     without = massless_axes(robot)
     if not without:
         return
-    q = robot.home + _STEP * np.arange(1, robot.n + 1)
+    q = uneven_posture(robot)
     has_any = any(link.mass or link.inertia.any() for link in robot.links)
     if has_any and not idle_axes(mass_matrices(robot, q[None])[0], _SINGULAR):
         return

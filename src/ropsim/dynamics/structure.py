@@ -12,18 +12,24 @@ from ropsim.codegen import Scalar, Tracer, given
 from ropsim.core import frozen_dataclass
 from ropsim.dynamics.drives import DriveChain, chain_of
 from ropsim.dynamics.inertia import interface_step, step_bodies, tip_body
+from ropsim.dynamics.loops.fastened import (
+    CutPlaces,
+    Placement,
+    SpringPlaces,
+    cut_places,
+    placement_of,
+    spring_numbers,
+    spring_places,
+    sprung_rows,
+)
 from ropsim.model import BASE_LINK, JointType, Mechanism, Payload, joint_tree
-from ropsim.spatial import Array, Pose, frozen
-
-RIGHT_ANGLE_TOLERANCE = 4e-15
-"""Entries of a rotation matrix this near to 0 or ±1 are meant to be exactly that: the rounding of a right
-angle that went through a quaternion."""
-
-Placement = tuple[tuple[float, ...], tuple[float, ...]]
-"""Rotation matrix by rows, and origin [m]."""
+from ropsim.spatial import Array, frozen
 
 BODY = 10
 """Numbers of a body: its barycentric parameters."""
+
+SPRING = 3
+"""Numbers of a spring."""
 
 MOST_JOINTS = 12
 """Longest serial chain for straight-line code; longer ones are loops over the joints."""
@@ -38,11 +44,16 @@ class ArmStructure:
         parents: step that each hangs on, -1 for the base.
         placements: of each step at coordinate 0 in the frame of its parent.
         offsets: added to the coordinates [rad | m].
-        spread: for each step its row of (T, c): its coordinate is T·q + c; empty where step i is axis i.
+        spread: for each step its row of (T, P, c): its coordinate is T·q + P·z + c, where closed chains
+            determine z; empty where step i is axis i.
         tip: step that carries the mechanical interface, -1 for the base.
         interface: mechanical interface in the frame of that step.
         drives: the blocks of each drive; empty without drives.
         present: which of the numbers may differ from 0, in the order of `arm_numbers`.
+        passive: how many coordinates z closed chains determine.
+        cuts: of closed chains.
+        springs: between bodies.
+        sprung: (T, P, c) of the coordinate of each spring on one.
     """
 
     types: tuple[JointType, ...]
@@ -54,11 +65,25 @@ class ArmStructure:
     interface: Placement
     drives: tuple[DriveChain, ...]
     present: tuple[bool, ...]
+    passive: int = 0
+    cuts: tuple[CutPlaces, ...] = ()
+    springs: tuple[SpringPlaces, ...] = ()
+    sprung: tuple[tuple[float, ...], ...] = ()
 
     @property
     def n(self) -> int:
         """Return the number of axes."""
-        return len(self.spread[0]) - 1 if self.spread else self.m
+        return len(self.spread[0]) - 1 - self.passive if self.spread else self.m
+
+    @property
+    def count(self) -> int:
+        """Return the number of coordinates that move the tree: of the axes, and those of closed chains."""
+        return self.n + self.passive
+
+    @property
+    def rows(self) -> int:
+        """Return the number of directions that cuts hold."""
+        return sum(sum(cut.held) for cut in self.cuts)
 
     @property
     def m(self) -> int:
@@ -69,9 +94,10 @@ class ArmStructure:
     def is_long(self) -> bool:
         """Return whether loops over its steps are shorter than straight-line code: of a long serial arm.
 
-        Arms with branches or couplings are straight-line code at any length.
+        Arms with branches, couplings or springs are straight-line code at any length.
         """
-        serial = not self.spread and self.parents == tuple(range(-1, self.m - 1)) and self.tip == self.m - 1
+        plain = not (self.spread or self.springs or self.sprung)
+        serial = plain and self.parents == tuple(range(-1, self.m - 1)) and self.tip == self.m - 1
         return serial and self.m > MOST_JOINTS
 
 
@@ -84,11 +110,14 @@ class TracedNumbers:
         bodies: barycentric parameters of the body on each step, that at the interface with its payload; m
             times 10.
         drives: numbers of each drive.
+        springs: stiffness, free length and damping of each spring between bodies, then stiffness, rest and
+            damping of each one on a coordinate.
     """
 
     base_acceleration: list[Scalar]
     bodies: list[list[Scalar]]
     drives: list[list[Scalar]]
+    springs: list[list[Scalar]]
 
 
 @lru_cache(maxsize=256)
@@ -101,16 +130,21 @@ def structure_of(robot: Mechanism) -> ArmStructure:
     for step, body in enumerate(step_bodies(robot)):
         fixed.append(np.full(BODY, fill_value=True) if step == tip else body != 0.0)
     always = (True,) * sum(chain.size for chain in drives)
+    spread = np.column_stack((tree.T, tree.P, tree.c))
     return ArmStructure(
         types=tree.types,
         parents=tree.parents,
-        placements=tuple(_placement(placement) for placement in tree.placements),
+        placements=tuple(placement_of(placement) for placement in tree.placements),
         offsets=tuple(map(float, tree.offsets)),
-        spread=() if tree.parallel else tuple(map(tuple, np.column_stack((tree.T, tree.c)).tolist())),
+        spread=() if tree.parallel else tuple(map(tuple, spread.tolist())),
         tip=tip,
-        interface=_placement(X_SM),
+        interface=placement_of(X_SM),
         drives=drives,
-        present=(*np.concatenate(fixed).tolist(), *always),
+        present=(*np.concatenate(fixed).tolist(), *always, *(spring_numbers(robot) != 0.0).tolist()),
+        passive=tree.P.shape[1],
+        cuts=cut_places(robot),
+        springs=spring_places(robot),
+        sprung=sprung_rows(robot),
     )
 
 
@@ -124,14 +158,14 @@ def arm_numbers(robot: Mechanism, payload: Payload | None = None) -> Array:
 
     Returns:
         Minus free fall [m/s²], 3; barycentric parameters of the body on each step, 10 each, that at the
-        interface with the payload; the numbers of each drive, block by block.
+        interface with the payload; the numbers of each drive, block by block; three for each spring.
     """
     tip, _ = interface_step(robot)
     bodies = list(step_bodies(robot))
     if tip != BASE_LINK:
         bodies[tip] = tip_body(robot, payload)
     drives = [np.array(chain_of(drive).numbers(drive)) for drive in robot.drives]
-    return frozen(np.concatenate([-robot.gravity, *bodies, *drives]))
+    return frozen(np.concatenate([-robot.gravity, *bodies, *drives, spring_numbers(robot)]))
 
 
 def traced_numbers(tracer: Tracer, structure: ArmStructure) -> TracedNumbers:
@@ -147,11 +181,5 @@ def split_numbers(structure: ArmStructure, numbers: list[Scalar]) -> TracedNumbe
     for chain in structure.drives:
         drives.append(numbers[first : first + chain.size])
         first += chain.size
-    return TracedNumbers(numbers[:3], bodies, drives)
-
-
-def _placement(pose: Pose) -> Placement:
-    R = pose.rotation()
-    whole = np.round(R)
-    R = np.where(np.abs(R - whole) < RIGHT_ANGLE_TOLERANCE, whole, R)
-    return tuple(R.ravel().tolist()), tuple(pose.position.tolist())
+    springs = [numbers[k : k + SPRING] for k in range(first, len(structure.present), SPRING)]
+    return TracedNumbers(numbers[:3], bodies, drives, springs)

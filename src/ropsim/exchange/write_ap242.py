@@ -7,6 +7,7 @@ from ropsim.core import Diagnostic, Kind
 from ropsim.exchange.files.names import BASE, link_name
 from ropsim.exchange.losses.gathered import listed
 from ropsim.exchange.losses.loss_diagnostics import LOST_DESCRIPTION, LOST_DRIVE, LOST_MASS, LOST_MOTION
+from ropsim.exchange.writing.motion_losses import spring_losses
 from ropsim.exchange.writing.write_losses import drive_losses, word_losses
 from ropsim.model import FrictionLaw, RobotModel, WrittenRobot
 
@@ -61,6 +62,7 @@ def _motion_losses(robot: RobotModel) -> Iterable[Diagnostic]:
             f"which joints of the closed chains of `{robot.name}` are driven does not go over, the loops do"
         )
         yield LOST_MOTION.at(None, sentence, hint="NIROX says where they are cut")
+    yield from spring_losses(robot)
     if robot.gravity.tolist() != _GRAVITY:
         sentence = (
             f"gravity of `{robot.name}` does not point down along z of its base frame, and does not go over"

@@ -11,7 +11,7 @@ from ropsim.exchange.losses.loss_diagnostics import LOST_MOTION
 from ropsim.exchange.mjcf.custom import axis_limits
 from ropsim.exchange.mjcf.cuts import HeldPoint, held_points, lost_cuts
 from ropsim.exchange.mjcf.text import assets, geoms, inertial, mesh_names, placed
-from ropsim.exchange.writing.motion_losses import limit_losses
+from ropsim.exchange.writing.motion_losses import limit_losses, spring_losses
 from ropsim.exchange.writing.write_losses import (
     drive_losses,
     friction_at_joint,
@@ -146,6 +146,7 @@ def _losses(robot: RobotModel, writer: _Writer) -> Iterable[Diagnostic]:
     if lost:
         words = f"closed chains {', '.join(map(str, lost))} of `{robot.name}` do not go over"
         yield LOST_MOTION.at(None, words, hint="MJCF holds points, hinges and whole frames together")
+    yield from spring_losses(robot)
     bodies = [(one.child, one.link.inertia) for one in writer.tree.joints if one.link]
     raised = [name for name, inertia in bodies if possible_inertia(inertia) is not inertia]
     if raised:

@@ -48,6 +48,7 @@ from ropsim.flow.instructions import OutputInstruction as OutputInstruction
 from ropsim.flow.instructions import PostureRequest as PostureRequest
 from ropsim.flow.instructions import Side as Side
 from ropsim.flow.instructions import SyncInstruction as SyncInstruction
+from ropsim.flow.instructions import TargetOrientation as TargetOrientation
 from ropsim.flow.instructions import Trigger as Trigger
 from ropsim.flow.instructions import WaitInstruction as WaitInstruction
 from ropsim.flow.modal import ModalState as ModalState

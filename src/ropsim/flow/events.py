@@ -71,6 +71,7 @@ class MoveEvent(Event):
         reached: how slow it is against `path_speed`, and why; None where it is not.
         out_of_position: largest error of a joint at its end, as a share of `in_position` of the controller:
             up to 1 the arm was; None where the move went on to the next one, or the run was cut short.
+        free_orientation: whether the orientation of its target is free, so that none can be missed.
     """
 
     kind: ClassVar[str] = "move"
@@ -89,6 +90,7 @@ class MoveEvent(Event):
     reached: ReachedSpeed | None = None
     target: tuple[float, ...] = ()
     out_of_position: float | None = None
+    free_orientation: bool = False
 
 
 @frozen_dataclass

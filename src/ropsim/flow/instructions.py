@@ -66,6 +66,13 @@ class Trigger:
     time: float | None = None
 
 
+class TargetOrientation(Enum):
+    """Whether the orientation of a target counts."""
+
+    GIVEN = "given"
+    FREE = "free"
+
+
 @frozen_dataclass
 class PostureRequest:
     """Request of a target to the branch of the inverse kinematics.
@@ -75,10 +82,13 @@ class PostureRequest:
             the posture of which nothing is said is free.
         turns: for the axes of the arm from the first on, the whole turn k in which the axis is to be:
             its angle lies in [2πk - π, 2πk + π); axes beyond the last one given are free.
+        orientation: whether the orientation of the target counts. Where it is free, that of an arm with six
+            or more axes stays as it is at the start of the move; that of others follows from the position.
     """
 
     words: tuple[str, ...] = ()
     turns: tuple[int, ...] = ()
+    orientation: TargetOrientation = TargetOrientation.GIVEN
 
 
 class MotionKind(StrEnum):
@@ -166,7 +176,8 @@ class MoveInstruction:
         angle: how far an arc goes on its circle [rad], > 0, instead of ending at the target; None ends there.
         triggers: outputs that are set on the way, in the order of the program.
         guard: condition that ends the move before its target; None without one.
-        posture: in which posture the target is to be reached; None leaves it to the planner.
+        posture: in which posture the target is to be reached, and whether its orientation and those of the
+            via points count; None leaves the posture to the planner.
         tracking: signal that corrects the path; None where it is made as planned.
     """
 
@@ -181,6 +192,11 @@ class MoveInstruction:
     guard: Guard | None = None
     posture: PostureRequest | None = None
     tracking: PathTracking | None = None
+
+    @property
+    def has_free_orientation(self) -> bool:
+        """Return whether the orientation of the target is free, and so that of the whole move."""
+        return self.posture is not None and self.posture.orientation is TargetOrientation.FREE
 
 
 @frozen_dataclass

@@ -258,8 +258,8 @@ CAPABILITIES_DIFFER = define(
     "V9: REQUIRE CAP does not list what the program uses",
     """
 Rule V9. A reader of the header must be able to trust it: `REQUIRE CAP` lists exactly the capabilities of the
-instructions that occur (`CIRC CLOCK CONFIG EXT GRIP GUARD IO JNT LIN MSG POSE PTP SPLINE TRACK TRIG ZONE`).
-`EXT` is needed by a constant pose with values of external axes, too.
+instructions that occur (`CIRC CLOCK CONFIG EXT FREE GRIP GUARD IO JNT LIN MSG POSE PTP SPLINE TRACK TRIG
+ZONE`). `EXT` is needed by a constant pose with values of external axes, too.
 """,
 )
 AXES_DIFFER = define(

@@ -181,6 +181,7 @@ _TABLE = """
 0417 AXES      -        PO  P  -     [pose axes -> the same place, shifted along these axes of the task frame]
 0418 OFFSET    -        PV  P  -     [pose way -> pose shifted along its axes, else those of its task frame]
 0419 ITEM      list     I   P  -     [i -> pose i of a list, counted from 1]
+041A ORI.FREE  -        P   P  FREE  [pose -> pose of which the position counts, its orientation is free]
 0501 FRAME     frame    -   -  -     task frame in force
 0503 TOOL      tool     -   -  -     tool in force
 0506 SPD.PTP   -        R   -  -     share of the joint speed limits, (0, 1]

@@ -101,6 +101,33 @@ the rank at the home position and beside it.
 )
 
 
+LOOP_LOCKS = define(
+    "M556",
+    "closed-chain-locks",
+    Severity.ERROR,
+    "a closed chain locks on the way of a move",
+    """
+At a dead centre a closed chain cannot go on: two of its bars lie in one line, or a cylinder is drawn out to
+the end of its triangle. Between positions that can be reached both, the straight way of the axes may lead
+over such a place. The message says how far the move comes. Give a point on the way round, or move along a
+line of the tool.
+""",
+)
+
+LOOP_CHANGES = define(
+    "M557",
+    "closed-chain-changes-assembly",
+    Severity.ERROR,
+    "a closed chain would come to another assembly",
+    """
+A closed chain can often be assembled in several ways, such as a four-bar with its rocker up or down. Poses
+are those of the assembly in the home position. Along this move, which goes round a place where two
+assemblies meet, the chain would come to the other one, and stand elsewhere than its axes say. Give a point on
+the way that stays on this side of the dead centre.
+""",
+)
+
+
 class ArrayShapeError(RopsimError):
     """An array has the wrong shape (M551)."""
 

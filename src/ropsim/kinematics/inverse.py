@@ -6,10 +6,12 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.kinematics.chain.arrays import chain_arrays, joint_rows, joint_vector, pose_rows, turning_axes
+from ropsim.kinematics.chain.arm_arrays import arm_arrays, turning_axes
+from ropsim.kinematics.chain.arrays import chain_arrays, joint_rows, joint_vector, pose_rows
 from ropsim.kinematics.chain.forward import forward_batch
 from ropsim.kinematics.diagnostics import NotFiniteError
 from ropsim.kinematics.recognition import redundant_solver_of, solver_of
+from ropsim.kinematics.solutions.followers import FollowerLimits, follower_limits
 from ropsim.kinematics.solutions.held import in_arm_base, of_robot, result_of_robot
 from ropsim.kinematics.solutions.limits import limit_violations
 from ropsim.kinematics.solutions.polish import polished, unbounded
@@ -26,7 +28,7 @@ from ropsim.kinematics.solutions.result import (
 from ropsim.kinematics.solutions.selection_kernel import HEAD, SAME
 from ropsim.kinematics.solutions.sheet import Sheet, sheet
 from ropsim.kinematics.solutions.solver import InverseSolver, RedundantSolver
-from ropsim.model import CoupledLimits, RobotModel, coupled_limits, held_arm
+from ropsim.model import RobotModel, held_arm
 from ropsim.spatial import Array, Pose, frozen
 
 NEIGHBOUR = 0.1
@@ -56,7 +58,7 @@ class _Desk:
     limits: Array
     unlimited: Array
     rest: Array
-    coupled: CoupledLimits
+    coupled: FollowerLimits
     sheets: list[Sheet]
     named: dict[float, tuple[Posture, ...]]
 
@@ -289,8 +291,8 @@ def _out_of_limits(robot: RobotModel, branches: Array, names: tuple[Posture, ...
     return IkResult(IkStatus.OUT_OF_LIMITS, branches[:0].copy(), (), (), branches, names, nearest)
 
 
-def _within(robot: RobotModel, coupled: CoupledLimits, found: IkResult) -> IkResult:
-    """Return an answer without branches beyond the limits of joints that follow axes by couplings."""
+def _within(robot: RobotModel, coupled: FollowerLimits, found: IkResult) -> IkResult:
+    """Return an answer without branches beyond the limits of joints that follow axes."""
     kept = []
     for first, posture_, turns in zip(found.solutions, found.postures, found.turns, strict=True):
         variants = np.vstack((first, turns))
@@ -353,7 +355,7 @@ def _next_to(robot: RobotModel, desk: _Desk, T: Array, near: Array) -> Array | N
     if not np.abs(forward_batch(robot, near[np.newaxis])[0] - T).max() <= NEIGHBOUR:
         return None
     start = near[np.newaxis, np.newaxis]
-    q: Array = polished(chain_arrays(robot), T[np.newaxis], start, desk.solver.slack)[0, 0]
+    q: Array = polished(arm_arrays(robot), T[np.newaxis], start, desk.solver.slack)[0, 0]
     return None if np.isnan(q[0]) else q
 
 
@@ -374,5 +376,5 @@ def _desk(robot: RobotModel) -> _Desk:
     limits = frozen(np.stack((robot.lower_limits, robot.upper_limits, turning_axes(robot))))
     unlimited = frozen(np.stack((*unbounded(robot.n), limits[2])))
     rest = frozen(np.zeros(robot.n))
-    redundant, coupled = redundant_solver_of(robot), coupled_limits(robot)
+    redundant, coupled = redundant_solver_of(robot), follower_limits(robot)
     return _Desk(solver, redundant, solver.postures, limits, unlimited, rest, coupled, [], {})

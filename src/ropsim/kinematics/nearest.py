@@ -3,8 +3,8 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.kinematics.chain.arrays import chain_arrays, joint_vector
-from ropsim.kinematics.chain.forward import frames_of
+from ropsim.kinematics.chain.arm_arrays import arm_arrays, interface_poses
+from ropsim.kinematics.chain.arrays import joint_vector
 from ropsim.kinematics.diagnostics import NotFiniteError
 from ropsim.kinematics.solutions.configurations import configurations
 from ropsim.kinematics.solutions.held import in_arm_base, of_robot
@@ -66,10 +66,10 @@ def nearest(robot: RobotModel, pose: Pose, near: npt.ArrayLike | None = None) ->
 
 def _of_arm(robot: RobotModel, T: Array, q: Array) -> Nearest:
     """Return `nearest` of an arm without external axes."""
-    chain = chain_arrays(robot)
+    chain = arm_arrays(robot)
     starts = np.concatenate((q[np.newaxis], configurations(robot, STARTS)))
     ends = nearest_to(chain, T[np.newaxis], starts[np.newaxis])[0]
-    poses = frames_of(chain, ends)[:, -1]
+    poses = interface_poses(chain, ends)
     distances = np.linalg.norm(poses[:, :3, 3] - T[:3, 3], axis=1)
     angles = np.array([angle_of_turn(one, T) for one in poses])
     order = np.argsort(np.hypot(distances, angles), kind="stable")

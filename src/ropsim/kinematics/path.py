@@ -3,7 +3,8 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.kinematics.chain.arrays import chain_arrays, joint_rows, joint_vector, pose_rows
+from ropsim.kinematics.chain.arm_arrays import arm_arrays
+from ropsim.kinematics.chain.arrays import joint_rows, joint_vector, pose_rows
 from ropsim.kinematics.recognition import solver_of
 from ropsim.kinematics.solutions.held import in_arm_base, of_robot
 from ropsim.kinematics.solutions.polish import continued, polished
@@ -40,7 +41,7 @@ def inverse_path(
         rows = q if held is None else joint_rows(robot, held)
         poses = in_arm_base(robot, whole, rows, pose_rows(T))
         return of_robot(whole, rows, inverse_path(whole.arm, poses, q[list(whole.axes)]))
-    return continued(chain_arrays(robot), pose_rows(T), joint_vector(robot, q_start), solver_of(robot).slack)
+    return continued(arm_arrays(robot), pose_rows(T), joint_vector(robot, q_start), solver_of(robot).slack)
 
 
 def inverse_near(robot: RobotModel, T: npt.ArrayLike, Q: npt.ArrayLike) -> Array:
@@ -65,6 +66,6 @@ def inverse_near(robot: RobotModel, T: npt.ArrayLike, Q: npt.ArrayLike) -> Array
         whole = held_arm(robot)
         poses = in_arm_base(robot, whole, rows, pose_rows(T))
         return of_robot(whole, rows, inverse_near(whole.arm, poses, rows[:, list(whole.axes)]))
-    chain = chain_arrays(robot)
+    chain = arm_arrays(robot)
     found = polished(chain, pose_rows(T), rows[:, None].copy(), solver_of(robot).slack)[:, 0]
     return np.asarray(found + _TURN * np.round((rows - found) / _TURN) * chain.turning)

@@ -5,7 +5,12 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.kinematics.chain.arm_arrays import arm_arrays
 from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays, joint_rows, pose_rows
+from ropsim.kinematics.chain.closed_arrays import ClosedArrays
+from ropsim.kinematics.chain.closed_jacobian_kernel import closed_derivatives_along
+from ropsim.kinematics.chain.closure import closed_states
+from ropsim.kinematics.chain.linear_loops import without_linear_loops
 from ropsim.kinematics.chain.path_derivatives_kernel import DerivativeWork, derivatives_along
 from ropsim.kinematics.recognition import solver_of
 from ropsim.kinematics.solutions.followed_kernel import FollowedArm, follow_rows
@@ -20,12 +25,13 @@ _MOST = 7
 
 def has_path_derivatives(robot: RobotModel) -> bool:
     """Return whether derivatives along a path can be found for an arm."""
-    return 0 < robot.n - len(robot.external) <= _MOST and not robot.cuts
+    most = _POSE if robot.cuts and without_linear_loops(robot).cuts else _MOST
+    return 0 < robot.n - len(robot.external) <= most
 
 
 def is_followed(robot: RobotModel) -> bool:
     """Return whether an arm has one axis more than its pose needs, so that `followed` decides its joints."""
-    return robot.n - len(robot.external) > _POSE
+    return robot.n - len(robot.external) > _POSE and has_path_derivatives(robot)
 
 
 def path_derivatives(robot: RobotModel, Q: npt.ArrayLike, X_MT: Pose, tool: Array) -> Array | None:
@@ -47,11 +53,17 @@ def path_derivatives(robot: RobotModel, Q: npt.ArrayLike, X_MT: Pose, tool: Arra
     Raises:
         ArrayShapeError: M551, Q has another shape.
     """
-    chain, rows = chain_arrays(robot), np.ascontiguousarray(joint_rows(robot, Q))
+    rows = np.ascontiguousarray(joint_rows(robot, Q))
     out, result = np.empty((2, *rows.shape)), np.empty(1)
-    position = np.ascontiguousarray(X_MT.position)
+    position, chain = np.ascontiguousarray(X_MT.position), arm_arrays(robot)
+    if isinstance(chain, ClosedArrays):
+        room, states = _work(len(chain.steps), chain.n), closed_states(chain, rows)[0]
+        closed_derivatives_along(
+            chain.arm(), states, _active(robot), position, tool, out, chain.work(), room, result
+        )
+        return out if result[0] else None
     derivatives_along(
-        chain.flat, chain.spread, _active(robot), position, rows, tool, out, _work(chain), result
+        chain.flat, chain.spread, _active(robot), position, rows, tool, out, _room(chain), result
     )
     return out if result[0] else None
 
@@ -78,7 +90,7 @@ def followed(
     Raises:
         ArrayShapeError: M551, T has another shape.
     """
-    chain, poses, n = chain_arrays(robot), pose_rows(T), len(q_start)
+    chain, poses, n = chain_arrays(without_linear_loops(robot)), pose_rows(T), len(q_start)
     bounds, active = unbounded(n), _active(robot)
     bounds[:, active == 0.0] = q_start[active == 0.0]
     arm = FollowedArm(
@@ -91,7 +103,7 @@ def followed(
     )
     Q, out, result = np.empty((len(s), n)), np.empty((2, len(s), n)), np.empty(1)
     Q[0] = q_start
-    follow_rows(arm, s, poses, tool, Q, out, _work(chain), solver_of(robot).slack, result)
+    follow_rows(arm, s, poses, tool, Q, out, _room(chain), solver_of(robot).slack, result)
     return (Q, out) if result[0] else None
 
 
@@ -103,8 +115,11 @@ def _active(robot: RobotModel) -> Array:
     return frozen(active)
 
 
-def _work(chain: ChainArrays) -> DerivativeWork:
-    m, n = len(chain.slides), chain.n
+def _room(chain: ChainArrays) -> DerivativeWork:
+    return _work(len(chain.slides), chain.n)
+
+
+def _work(m: int, n: int) -> DerivativeWork:
     return DerivativeWork(
         np.empty((m + 1, 12)),
         np.empty((7, m)),

@@ -3,11 +3,14 @@
 from collections.abc import Callable
 from functools import lru_cache
 
-from ropsim.kinematics.solutions.solver import InverseSolver, RedundantSolver
+from ropsim.kinematics.chain.closed_arrays import closed_arrays
+from ropsim.kinematics.chain.linear_loops import without_linear_loops
+from ropsim.kinematics.solutions.solver import InverseSolver, Method, RedundantSolver
 from ropsim.kinematics.solvers.coupled import coupled, plain_arm
 from ropsim.kinematics.solvers.general import few_axis as general_few_axis
 from ropsim.kinematics.solvers.general import seven_axis as general_seven_axis
 from ropsim.kinematics.solvers.general import six_axis as general_six_axis
+from ropsim.kinematics.solvers.looped import LoopedSolver, switched_loops
 from ropsim.kinematics.solvers.numeric import numeric
 from ropsim.kinematics.solvers.offset import swivel, three_parallel
 from ropsim.kinematics.solvers.planar import level_wrist, planar_two_link, scara
@@ -35,10 +38,14 @@ def solver_of(robot: RobotModel) -> InverseSolver:
     """Return the solver of an arm, that of the first class which recognises it, else the numeric one.
 
     Of a robot with external axes it is that of its arm, `held_arm`, and takes poses in the base of that. An
-    arm whose joints follow its axes by couplings is recognised by its joints, `plain_arm`.
+    arm whose joints follow its axes by couplings is recognised by its joints, `plain_arm`; one with closed
+    chains by the joints on the way to its interface, `switched_loops`, or, where the chains are
+    parallelograms, as the same arm with couplings.
     """
     if robot.external:
         return solver_of(held_arm(robot).arm)
+    if robot.cuts:
+        return _of_loops(robot)
     plain = plain_arm(robot)
     for _, recognise in CLASSES:
         found = recognise(plain or robot)
@@ -51,6 +58,19 @@ def solver_of(robot: RobotModel) -> InverseSolver:
     return numeric(robot)
 
 
+def _of_loops(robot: RobotModel) -> InverseSolver:
+    """Return the solver of an arm with closed chains."""
+    linear = without_linear_loops(robot)
+    if not linear.cuts:
+        return solver_of(linear)
+    switched = switched_loops(linear)
+    if switched is not None:
+        plain = solver_of(switched.plain)
+        if plain.method is not Method.NUMERIC and not isinstance(plain, RedundantSolver):
+            return LoopedSolver(plain, closed_arrays(linear), switched)
+    return numeric(robot)
+
+
 @lru_cache(maxsize=64)
 def redundant_solver_of(robot: RobotModel) -> RedundantSolver | None:
     """Return the solver of an arm of which a pose leaves something free that it holds, else None."""
@@ -60,6 +80,9 @@ def redundant_solver_of(robot: RobotModel) -> RedundantSolver | None:
 
 def classes_missed(robot: RobotModel) -> dict[str, str]:
     """Return for each class that an arm is not in, the condition that it misses."""
-    arm = held_arm(robot).arm if robot.external else robot
+    arm = without_linear_loops(held_arm(robot).arm if robot.external else robot)
+    if arm.cuts:
+        switched = switched_loops(arm)
+        return classes_missed(switched.plain) if switched is not None else {}
     found = {name: recognise(plain_arm(arm) or arm) for name, recognise in CLASSES}
     return {name: reason for name, reason in found.items() if isinstance(reason, str)}

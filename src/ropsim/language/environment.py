@@ -67,6 +67,7 @@ class Environment:
         located: names of the frames that move in which locations are given, by the name of the location.
         given: frames that stand still in which locations are given, X_BF, by the name of the location; the
             base frame where none is named.
+        free: names of the locations whose orientation is free.
         signals: channels by name.
         tasks: library tasks by name.
         refused: library tasks that there are and that cannot be called, with the reason, by name.
@@ -106,6 +107,7 @@ class Environment:
     postures: tuple[tuple[str, ...], ...] | None = None
     lists: Mapping[str, PointTable] = field(default_factory=dict)
     up: tuple[float, float, float] = (0.0, 0.0, 1.0)
+    free: frozenset[str] = frozenset()
 
 
 NO_SIGNATURES = Environment()

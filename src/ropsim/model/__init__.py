@@ -68,11 +68,13 @@ from ropsim.model.controller import ComputedTorqueGains as ComputedTorqueGains
 from ropsim.model.controller import ControllerKind as ControllerKind
 from ropsim.model.controller import ControllerModel as ControllerModel
 from ropsim.model.controller import CorrectionLimits as CorrectionLimits
+from ropsim.model.controller import FlowGains as FlowGains
 from ropsim.model.controller import Gains as Gains
 from ropsim.model.controller import LookAhead as LookAhead
 from ropsim.model.controller import NoGains as NoGains
 from ropsim.model.controller import OrientationMode as OrientationMode
 from ropsim.model.controller import PathDefaults as PathDefaults
+from ropsim.model.controller import PiGains as PiGains
 from ropsim.model.controller import Rates as Rates
 from ropsim.model.controller import ShortLines as ShortLines
 from ropsim.model.controller import Synchronisation as Synchronisation
@@ -146,6 +148,12 @@ from ropsim.model.geometry.outlines import capsule as capsule
 from ropsim.model.geometry.outlines import circle as circle
 from ropsim.model.geometry.outlines import polygon as polygon
 from ropsim.model.geometry.rod import rod as rod
+from ropsim.model.joint_sensors import MEASURED as MEASURED
+from ropsim.model.joint_sensors import JointSensor as JointSensor
+from ropsim.model.joint_sensors import JointSensors as JointSensors
+from ropsim.model.law_file import DIAGRAM_ENDINGS as DIAGRAM_ENDINGS
+from ropsim.model.law_file import MODULE_ENDING as MODULE_ENDING
+from ropsim.model.law_file import LawFile as LawFile
 from ropsim.model.mechanism.coordinates import Coordinates as Coordinates
 from ropsim.model.mechanism.coordinates import coordinates as coordinates
 from ropsim.model.mechanism.coordinates import passive_coordinates as passive_coordinates
@@ -164,6 +172,7 @@ from ropsim.model.mechanism.links import JointType as JointType
 from ropsim.model.mechanism.links import Link as Link
 from ropsim.model.mechanism.links import LoopCut as LoopCut
 from ropsim.model.mechanism.mechanism import Mechanism as Mechanism
+from ropsim.model.mechanism.mechanism import first_coordinates as first_coordinates
 from ropsim.model.mechanism.mechanism_check import MechanismError as MechanismError
 from ropsim.model.mechanism.mechanism_check import check_counts as check_counts
 from ropsim.model.mechanism.mechanism_check import check_mechanism as check_mechanism
@@ -178,6 +187,8 @@ from ropsim.model.mechanism.pins import pin_at as pin_at
 from ropsim.model.mechanism.placements import placement_matrices as placement_matrices
 from ropsim.model.mechanism.placements import pose_matrices as pose_matrices
 from ropsim.model.mechanism.placements import snapped as snapped
+from ropsim.model.mechanism.springs import JointSpring as JointSpring
+from ropsim.model.mechanism.springs import Spring as Spring
 from ropsim.model.robots.arm_class import ArmClass as ArmClass
 from ropsim.model.robots.composition import beside as beside
 from ropsim.model.robots.composition import on_track as on_track

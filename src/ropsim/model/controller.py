@@ -7,6 +7,8 @@ from typing import ClassVar
 from ropsim.core import frozen_dataclass
 from ropsim.flow import ParameterOrigin
 from ropsim.model.findings.number_range import COORDINATE, EXTENT, RATE, TIME, Ranges, between, whole
+from ropsim.model.joint_sensors import JointSensors
+from ropsim.model.law_file import LawFile
 from ropsim.spatial import Array, frozen, record
 
 
@@ -64,16 +66,26 @@ class CorrectionLimits:
 
 
 class ControllerKind(Enum):
-    """The law of the joint controller; the ideal one lets arms without drives be where they should."""
+    """The law of the joint controller.
+
+    That of a file is a block diagram or a module of the project; the ideal one lets arms without drives be
+    where they should.
+    """
 
     CASCADED_P_PI = "cascaded_p_pi"
     COMPUTED_TORQUE = "computed_torque"
+    FILE = "file"
+    FLOW_LOAD_DAMPING = "flow_load_damping"
+    PARALLEL_PI = "parallel_pi"
     IDEAL = "ideal"
 
 
 LAW_WORDS = {
     ControllerKind.COMPUTED_TORQUE: "computed torque",
     ControllerKind.CASCADED_P_PI: "fixed gains",
+    ControllerKind.FILE: "file of the project",
+    ControllerKind.FLOW_LOAD_DAMPING: "flow, load and damping",
+    ControllerKind.PARALLEL_PI: "parallel PI",
     ControllerKind.IDEAL: "ideal",
 }
 """What people call the laws."""
@@ -175,6 +187,63 @@ class ComputedTorqueGains:
             object.__setattr__(self, name, frozen(getattr(self, name)))
 
 
+@record
+class FlowGains:
+    """Gains of the law of flow, load and damping of hydraulic axes, each of shape (n,).
+
+    The valve gets the opening whose flow, at the pressures of the wanted motion, moves the rod at
+    v + F'/k + kp·G·e + ki·∫G·e dt - kd/k·(f - f_slow), with its own rate times `lead` added to the part of
+    the wanted motion. G is the ratio of the transmission, v = G·q̇_ref; F is the force that the model of the
+    arm with its load needs, k the spring of the oil, e = q_ref - q, f the measured force beyond F, and
+    f_slow what a low pass of the corner lets through of it. Where `swing` times the frequency at which the
+    axis with its load swings on its oil, the others standing, is below kp, it takes the place of kp, and kd,
+    corner and the root of ki are smaller by the same share. The integral stands still while the amplifier is
+    at its limit.
+
+    Attributes:
+        kp: [1/s].
+        ki: [1/s²].
+        kd: rate at which the measured force damps the swing on the oil [1/s].
+        corner: of the low pass [rad/s].
+        lead: lag of valve and control that is made up for [s].
+        swing: most of kp over the frequency at which the axis swings [1/s over rad/s].
+    """
+
+    RANGES: ClassVar[Ranges] = dict.fromkeys(("kp", "ki", "kd", "corner", "lead", "swing"), COORDINATE)
+
+    kp: Array
+    ki: Array
+    kd: Array
+    corner: Array
+    lead: Array
+    swing: Array
+
+    def __post_init__(self) -> None:
+        for name in ("kp", "ki", "kd", "corner", "lead", "swing"):
+            object.__setattr__(self, name, frozen(getattr(self, name)))
+
+
+@record
+class PiGains:
+    """Gains of parallel PI loops, u = kp·e + ki·∫e dt with e = q_ref - q, each of shape (n,).
+
+    u is the input of the amplifier, in A for valves; the integral stands still while it is clipped.
+
+    Attributes:
+        kp: [A/rad | A/m] for valves.
+        ki: [A/(rad·s) | A/(m·s)] for valves.
+    """
+
+    RANGES: ClassVar[Ranges] = {"kp": COORDINATE, "ki": COORDINATE}
+
+    kp: Array
+    ki: Array
+
+    def __post_init__(self) -> None:
+        for name in ("kp", "ki"):
+            object.__setattr__(self, name, frozen(getattr(self, name)))
+
+
 @frozen_dataclass
 class NoGains:
     """The gains of the ideal joint controller: there are none."""
@@ -182,12 +251,12 @@ class NoGains:
     RANGES: ClassVar[Ranges] = {}
 
 
-Gains = CascadedGains | ComputedTorqueGains | NoGains
+Gains = CascadedGains | ComputedTorqueGains | FlowGains | PiGains | NoGains | LawFile
 
 
 def gain_names(gains: Gains) -> tuple[str, ...]:
-    """Return the names of the gains of a law, in the order of its parameters."""
-    return tuple(one.name for one in fields(gains))
+    """Return the names of the gains of a law, in the order of its parameters; the law of a file has none."""
+    return () if isinstance(gains, LawFile) else tuple(one.name for one in fields(gains))
 
 
 @frozen_dataclass
@@ -242,7 +311,7 @@ class ControllerModel:
     Attributes:
         kind: law of the joint controller.
         rates: periods.
-        gains: gains of the joint controller, for its law.
+        gains: gains of the joint controller, for its law, or the file that holds the law.
         path: settings of tool paths where the program gives none.
         in_position: a fine stop is over when every joint is this near its target [rad | m], and not faster
             than this way in 20 ms, shape (n,).
@@ -255,6 +324,7 @@ class ControllerModel:
         ptp: how the joints go together on PTP moves.
         short_lines: how chains of short lines with zones are flown.
         correction: how far and how quickly a sensor may shift a path.
+        sensors: of the joint controller.
         origins: where the gains come from.
     """
 
@@ -280,6 +350,7 @@ class ControllerModel:
     ptp: Synchronisation = Synchronisation.PHASE
     short_lines: ShortLines = ShortLines.CURVES
     correction: CorrectionLimits = CorrectionLimits()
+    sensors: JointSensors = JointSensors()
     origins: tuple[ParameterOrigin, ...] = ()
 
     def __post_init__(self) -> None:

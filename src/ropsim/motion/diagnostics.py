@@ -14,6 +14,9 @@ the reach of the arm, or too near to its base.
 Where an arm has a *wrist*, its position decides, not that of the tool: a long tool pointing towards the base
 brings the wrist closer, one pointing away moves it out.
 
+Of a target with [free](../language.md#free-orientation) orientation the message says how far the arm stays
+away from it, where it has fewer than six axes; others keep the orientation of the start of the move.
+
 **How to mend it.** Move the target or its task frame, turn the tool, or move the base of the robot. Look at
 the units first: `0.7` under `units mm` is less than a millimetre, `700` under `units m` seven hundred metres.
 
@@ -34,8 +37,19 @@ joints can choose fewer: a SCARA arm places its tool anywhere in its reach and t
 but cannot tilt it; a planar arm of two links moves in one plane, and its orientation there follows from the
 position. The message says how far the pose is from what the arm can take.
 
-**How to mend it.** Give the pose the orientation that the arm has (`ropsim robot fk` prints it), turn the
-tool or the task frame, or give the target in joint coordinates.
+Where the orientation is [free](../language.md#free-orientation) the position counts, and the message says how
+far the target is beside the plane in which two links move, or beside another surface or line of places of the
+TCP. Nothing is projected: what is farther away than rounding, 0.01 mm, is refused.
+
+**How to mend it.** Where only the position counts, write `free` behind the target. Else give the pose the
+orientation that the arm has (`ropsim robot fk` prints it), turn the tool or the task frame, or give the
+target in joint coordinates.
+
+```task
+lin (850, 0, 700)        # M530 for two links whose flange turns unevenly on the way
+lin (850, 0, 700) free   # reached
+lin (850, 5, 700) free   # M530: 5 mm beside the plane of the arm
+```
 """,
 )
 

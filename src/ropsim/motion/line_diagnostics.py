@@ -31,6 +31,9 @@ The line runs through a singularity of the arm, where the joints cannot follow t
 * **elbow**: upper arm and forearm are stretched;
 * **shoulder**: the wrist centre lies above or below the axis of joint 1.
 
+An arm with fewer than six axes is stretched or folded there, or has its TCP on an axis: beyond that place it
+could go on only in another branch.
+
 **How to mend it.** Turn the tool a little, shift the line, or use `mov` for this part. A controller
 with `orientation = "wrist angles"` passes the singularity of the wrist; the tool then turns between both ends
 as the wrist leads it.
@@ -165,11 +168,12 @@ PATH_NOT_CORRECTED = define(
     "M587",
     "path-not-corrected",
     Severity.ERROR,
-    "a sensor is to correct a path on which external axes go along, or one of no tool",
+    "a sensor is to correct a path of which the arm cannot shift the tool alone",
     """
 `track` shifts a path along an axis of the tool while it is made. The arm does that, with external axes that
 stand. Here they move along with the path, as the target gives other values for them or lies in a frame that
-they carry; or a planner of your own has made a path of the joints. The move is skipped.
+they carry; or a planner of your own has made a path of the joints; or the orientation of the target is free
+and the arm has fewer than six axes. The move is skipped.
 
 **How to mend it.** Bring the external axes where they are needed with a move before, and let the move that
 follows the sensor leave them there.

@@ -17,6 +17,7 @@ from ropsim.planning.moves.move_check import MAX_DURATION, check_duration
 from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.motion_plan import MotionState
+from ropsim.planning.records.planned_path import Counts
 from ropsim.planning.records.wording import passes
 from ropsim.planning.trajectory.segments import PathSegment
 from ropsim.spatial import Array, Pose
@@ -71,16 +72,20 @@ def correction_refusal(planned_move: PlannedMove) -> Refusal | None:
     if move.tracking is None or planned_move.joints is None:
         return None
     if planned.tool is None:
-        why = "it has no path of the tool"
+        why, hint = "it has no path of the tool", "correct a path of the tool, such as that of `lin`"
     elif planned.coordination is not None:
         why = "external axes go along with it"
+        hint = "move the external axes before, and leave them where they are on this move"
+    elif planned.counts is Counts.POINT:
+        why = "its orientation is free, and the arm has too few axes to keep it while the tool is shifted"
+        hint = "leave the correction out, or compute points of the path that is wanted"
     else:
         return None
     finding = PATH_NOT_CORRECTED.at(
         move.origin.span,
         f"signal `{move.tracking.channel}` cannot correct this path: {why}",
         label=passes(move.origin),
-        hint="move the external axes before, and leave them where they are on this move",
+        hint=hint,
         data={"channel": move.tracking.channel, **move.origin.data},
     )
     return Refusal((finding,))

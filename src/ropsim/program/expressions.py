@@ -121,7 +121,7 @@ class CommandPose:
 
 @frozen_dataclass
 class InPosture:
-    """A POSE that is to be reached in a posture, and with turns of the axes."""
+    """A POSE that is to be reached in a posture, with turns of the axes, or with any orientation."""
 
     operand: "Expression"
     request: PostureRequest

@@ -33,7 +33,7 @@ RISE = 10.0
 ENDLESS = "endless"
 """Limits of a joint that turns without end."""
 
-_EFFORT = MOMENT.within(1e-6, 1e7)
+EFFORT = MOMENT.within(1e-6, 1e7)
 _TURNS = Quantity("turns", 1.0, -WITHOUT_END / tau, WITHOUT_END / tau)
 
 
@@ -97,7 +97,7 @@ def read_dh_table(root: TomlTable, convention: str, units: Units, X_B0: Pose) ->
     read = [_row(table, units, guessed) for table in tables]
     rows, limits = tuple(row for row, _ in read), tuple(limit for _, limit in read)
     make = joints_from_modified_dh if convention == "modified" else joints_from_dh
-    names = _names(tables)
+    names = names_of(tables)
     joints = tuple(
         replace(joint, name=name) for joint, name in zip(make(rows, limits, X_B0), names, strict=True)
     )
@@ -113,13 +113,13 @@ def _row(table: TomlTable, units: Units, guessed: dict[str, None]) -> tuple[DhRo
         note_radians(table, key, units)
     a, d = (table.number(key, units.position, 0.0) for key in ("a", "d"))
     alpha, theta = (table.number(key, units.turn, 0.0) for key in ("alpha", "theta"))
-    return DhRow(a, alpha, d, theta, type_), _limits(table, type_, units, guessed)
+    return DhRow(a, alpha, d, theta, type_), read_limits(table, type_, units, guessed)
 
 
-def _limits(table: TomlTable, type_: JointType, units: Units, guessed: dict[str, None]) -> JointLimits:
+def read_limits(table: TomlTable, type_: JointType, units: Units, guessed: dict[str, None]) -> JointLimits:
+    """Return the limits of an axis; the words of those that are estimates are added to `guessed`."""
     table.require("limits")
-    way = units.turn if type_ is JointType.REVOLUTE else units.position
-    lower, upper = _wide_range(table, type_) or _range(table, "limits", way)
+    lower, upper = read_bounds(table, type_, units)
     for key, words in (("speed", "speeds"), ("acceleration", "accelerations"), ("jerk", "jerks")):
         if table.present and key not in table:
             guessed[words] = None
@@ -127,8 +127,14 @@ def _limits(table: TomlTable, type_: JointType, units: Units, guessed: dict[str,
     fastest = units.rate(type_, 2).high
     acceleration = table.number("acceleration", units.rate(type_, 2), min(speed / TO_FULL_SPEED, fastest))
     jerk = table.number("jerk", units.rate(type_, 3), min(RISE * acceleration, units.rate(type_, 3).high))
-    effort = table.number("effort", _EFFORT, float("inf"))
+    effort = table.number("effort", EFFORT, float("inf"))
     return JointLimits(lower, upper, speed, acceleration, jerk, effort)
+
+
+def read_bounds(table: TomlTable, type_: JointType, units: Units) -> tuple[float, float]:
+    """Return the `limits` of a coordinate that turns (REVOLUTE) or slides [rad | m]."""
+    way = units.turn if type_ is JointType.REVOLUTE else units.position
+    return _wide_range(table, type_) or _range(table, "limits", way)
 
 
 def _wide_range(table: TomlTable, type_: JointType) -> tuple[float, float] | None:
@@ -159,7 +165,7 @@ def _range(table: TomlTable, key: str, way: Quantity) -> tuple[float, float]:
     return 0.0, 1.0
 
 
-def _names(tables: tuple[TomlTable, ...]) -> list[str]:
+def names_of(tables: tuple[TomlTable, ...]) -> list[str]:
     """Return the names of the joints, with duplicates noted."""
     names: list[str] = []
     for number, table in enumerate(tables, start=1):

@@ -1,4 +1,4 @@
-"""The kinds of mistakes in robot files (X900 to X909, X915, X916); mistakes of all TOML files: `tomltext`."""
+"""The kinds of mistakes in robot files (X900 to X909, X915, X916, X927); all TOML files: `tomltext`."""
 
 from ropsim.core import Severity, define
 
@@ -96,18 +96,30 @@ or the other way round.
 """,
 )
 
+BAD_BODY_NAME = define(
+    "X927",
+    "unknown-body",
+    Severity.ERROR,
+    "a robot file speaks of a joint or body that is not there, or not of that kind",
+    """
+Joints hang on bodies, chains are closed between bodies, springs are fastened to bodies: a body is named by
+the joint that moves it, and the one that stands still is `"base"`. A joint hangs on the base or on the body
+of a row before it. Axes and joints that follow others have one freedom.
+""",
+)
+
 NOT_IN_ROBOT_FILE = define(
     "X908",
     "not-in-robot-file",
     Severity.WARNING,
     "a robot has something that a robot file cannot say",
     """
-A robot file describes one chain of turning and sliding joints by a table. Branches, closed chains,
-couplings other than those of coupled axes and other types of joints have no place in it, and neither have
-drives of other kinds than those of its rows. Rods and cranks without mass, which follow the axes and are
-only drawn, are left out: the arm moves without them as with them. Numbers beyond those that a robot file may
-have, such as links of a kilometre, are not written either. The finding says what is left out, or why there is
-no file at all.
+A robot file describes a chain of turning and sliding joints by a table, and any other mechanism by the frames
+of its joints (`convention = "frames"`). Couplings of joints with several freedoms have no place in it, and
+neither have drives of other kinds than those of its rows. Rods and cranks without mass, which follow the axes
+of a chain and are only drawn, are left out: the arm moves without them as with them. Numbers beyond those
+that a robot file may have, such as links of a kilometre, are not written either. The finding says what is
+left out, or why there is no file at all.
 """,
 )
 

@@ -31,9 +31,9 @@ from ropsim.model import (
     VoltageAmplifier,
 )
 from ropsim.robotfile import diagnostics as kinds
-from ropsim.robotfile.cylinders import read_cylinder
 from ropsim.robotfile.dh_table import DhTable
-from ropsim.robotfile.valves import HYDRAULIC, VALVE_NEEDED, read_valve
+from ropsim.robotfile.hydraulics.cylinders import read_cylinder
+from ropsim.robotfile.hydraulics.valves import HYDRAULIC, VALVE_NEEDED, read_valve
 from ropsim.tomltext import CONFLICTING_KEYS, NUMBER, VALUE_OUT_OF_RANGE, Quantity, TomlTable, read_kind
 
 _POSITIVE = NUMBER.within(1e-9, 1e9)

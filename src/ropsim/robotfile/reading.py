@@ -7,6 +7,7 @@ import numpy as np
 
 from ropsim.core import SourceText
 from ropsim.model import (
+    BASE_LINK,
     ArmClass,
     Joint,
     JointType,
@@ -19,10 +20,14 @@ from ropsim.model import (
     with_coupled_axes,
 )
 from ropsim.robotfile import diagnostics as kinds
-from ropsim.robotfile.dh_table import read_dh_table
+from ropsim.robotfile.dh_table import DhTable, read_dh_table
 from ropsim.robotfile.drives import read_drives
 from ropsim.robotfile.estimation.recognition import class_of_joints
-from ropsim.robotfile.links import read_links
+from ropsim.robotfile.frames.bodies import read_frame_links
+from ropsim.robotfile.frames.loops import read_joint_springs, read_loops, read_springs
+from ropsim.robotfile.frames.rows import link_named, read_frame_rows
+from ropsim.robotfile.frames.words import BASE
+from ropsim.robotfile.links import Links, read_links
 from ropsim.robotfile.origins import estimates, read_origins
 from ropsim.robotfile.places import robot_file_places
 from ropsim.robotfile.reach import check_reach
@@ -39,9 +44,11 @@ from ropsim.tomltext import (
     read_units,
 )
 
-CONVENTIONS = ("standard", "modified")
+FRAMES = "frames"
+CONVENTIONS = ("standard", "modified", FRAMES)
 CLASSES = tuple(one.value for one in ArmClass if one is not ArmClass.PALLETIZER)
 """Classes of arms that a robot file describes."""
+ALL_CLASSES = tuple(one.value for one in ArmClass)
 PAYLOAD = Quantity("kg", 1.0, 1e-3, 1e5)
 GRAVITY = Quantity("m/s²", 1.0, -100.0, 100.0)
 DOWN = (0.0, 0.0, -9.81)
@@ -73,6 +80,8 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
     title = root.text("title", name)
     root.require("convention", "joints")
     convention = root.choice("convention", CONVENTIONS, CONVENTIONS[0]) if "convention" in root else ""
+    if convention == FRAMES:
+        return _of_frames(root, source, units, (name, title))
     X_B0, base_shapes = _base(root.table("base"), units)
     table = read_dh_table(root, convention or CONVENTIONS[0], units, X_B0)
     X_NM = _flange(root.table("flange"), units)
@@ -101,6 +110,8 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
         root.findings.items.extend(wrong)
         root.finish()
         return None
+    places = {BASE: BASE_LINK} | {joint.name: number for number, joint in enumerate(table.joints)}
+    frames = [table.frame(number) for number in range(len(table.joints))]
     robot = RobotModel(
         name=name,
         title=title,
@@ -108,6 +119,8 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
         links=links.links,
         drives=drives,
         home=home,
+        springs=read_springs(root, places, frames, units),
+        joint_springs=read_joint_springs(root, table.joints, units),
         gravity=gravity,
         origins=(*origins, *estimates(table, links)),
         base_shapes=base_shapes,
@@ -122,6 +135,62 @@ def _robot(root: TomlTable, source: SourceText) -> RobotModel | None:
     check_reach(root, robot, units)
     root.finish()
     return robot
+
+
+def _of_frames(
+    root: TomlTable, source: SourceText, units: Units, names: tuple[str, str]
+) -> RobotModel | None:
+    """Return the robot of a file whose joints stand by their frames."""
+    base = root.table("base")
+    base_shapes = read_shapes(base, units, read_look(base, Look()))
+    base.finish()
+    origins = read_origins(root, PurePath(source.name).name)
+    rows = read_frame_rows(root, units)
+    if rows is None:
+        _pass_over(root)
+        return None
+    flange, joints = root.table("flange"), rows.joints
+    tip, X_nM = link_named(flange, "on", rows.places, len(joints) - 1), read_pose(flange, units)
+    flange.finish()
+    links = read_frame_links(root, len(joints), units)
+    driven = tuple(joints[number] for number in rows.axes)
+    table = DhTable("modified", (), Pose(), driven, (), rows.estimated)
+    drives = read_drives(root, table)
+    home = _home(root, driven, units)
+    arm_class = ArmClass(root.choice("class", ALL_CLASSES, CLASSES[0])) if "class" in root else None
+    rated_payload = root.number("payload", PAYLOAD, inf) if "payload" in root else inf
+    path_limits = _path_limits(root, units)
+    gravity = frozen(root.numbers("gravity", 3, GRAVITY, DOWN))
+    frames = [Pose() for _ in joints]
+    cuts = read_loops(root, rows.places, units)
+    springs = read_springs(root, rows.places, frames, units)
+    on_joints = read_joint_springs(root, joints, units)
+    wrong = tuple(number_findings(joints, links, rows.axes, drives, robot_file_places(source)))
+    root.findings.items.extend(wrong)
+    root.finish()
+    if wrong or not rows.axes or any(one.is_error for one in root.findings.items):
+        return None
+    return RobotModel(
+        name=names[0],
+        title=names[1],
+        joints=joints,
+        links=links,
+        drives=drives,
+        home=home,
+        axes=rows.axes,
+        couplings=rows.couplings,
+        cuts=cuts,
+        springs=springs,
+        joint_springs=on_joints,
+        gravity=gravity,
+        origins=(*origins, *estimates(table, Links(links, ()))),
+        base_shapes=base_shapes,
+        X_nM=X_nM,
+        tip=tip,
+        rated_payload=rated_payload,
+        arm_class=arm_class,
+        path_limits=path_limits,
+    )
 
 
 def _base(table: TomlTable, units: Units) -> tuple[Pose, tuple[Shape, ...]]:

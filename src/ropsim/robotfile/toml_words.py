@@ -7,11 +7,12 @@ from math import degrees, isinf, tau
 import numpy as np
 
 from ropsim.model import WITHOUT_END, JointType
-from ropsim.spatial import Pose
+from ropsim.spatial import Pose, quaternion
 
 _ROUNDED = 9  # digits behind the point, of millimetres and degrees
 _DIGITS = 13  # of rates; slow rates also keep them
 _UNIT = 14  # digits behind the point, of entries of quaternions
+_TRIES = 8  # until the digits of a quaternion are those of its direction
 _TURN = 12  # digits behind the point, of turns
 _TWO_TURNS = 2.0 * tau  # [rad]; limits beyond them are counted in turns
 _SAME = 1e-12  # [m, entries of a quaternion]
@@ -63,8 +64,20 @@ def pose_keys(pose: Pose) -> dict[str, str]:
     if np.abs(pose.position).max() > _SAME:
         keys["position"] = row(map(length, pose.position.tolist()))
     if np.abs(pose.orientation[1:]).max() > _SAME:
-        keys["quaternion"] = row(number(round(one, _UNIT)) for one in pose.orientation.tolist())
+        keys["quaternion"] = row(map(number, _rounded(pose.orientation.tolist())))
     return keys
+
+
+def _rounded(orientation: list[float]) -> list[float]:
+    """Return a unit quaternion with so many digits that reading it gives these digits again."""
+    found = [round(one, _UNIT) for one in orientation]
+    for _ in range(_TRIES):
+        w, x, y, z = found
+        again = [round(one, _UNIT) for one in quaternion.normalize((w, x, y, z))]
+        if again == found:
+            break
+        found = again
+    return found
 
 
 def inline(keys: dict[str, str]) -> str:

@@ -25,6 +25,13 @@ from ropsim.robotfile.common_normals import common_normals
 from ropsim.robotfile.diagnostics import NOT_IN_ROBOT_FILE
 from ropsim.robotfile.drawn_bodies import without_drawn_bodies
 from ropsim.robotfile.drive_words import PinFrames, drive_keys
+from ropsim.robotfile.frames.writing import (
+    frame_keys,
+    joint_rows,
+    sections,
+    spring_sections,
+    unwritten_couplings,
+)
 from ropsim.robotfile.reading import DOWN, read_robot_file
 from ropsim.robotfile.shape_words import shapes_text
 from ropsim.robotfile.toml_words import (
@@ -56,32 +63,28 @@ class _Table:
 
 
 def write_robot_file(robot: RobotModel) -> WrittenRobot:
-    """Return the robot file of a serial arm of turning and sliding joints.
+    """Return the robot file of a robot.
 
-    The arm keeps the table that it was made from; any other gets one of the modified form along the common
-    normals of its axes. Read again it has the same kinematics, masses and drives.
+    A serial arm of turning and sliding joints keeps the table that it was made from, or gets one of the
+    modified form along the common normals of its axes. Any other mechanism is written by the frames of its
+    joints. Read again it has the same kinematics, masses and drives.
 
     Args:
-        robot: to be written; if a file cannot represent it, the text is empty and the losses name why: the
-            robot has something that a table does not say, or numbers that `read_robot_file` refuses.
+        robot: to be written; if a file cannot represent it, the text is empty and the losses name why, such
+            as numbers that `read_robot_file` refuses.
     """
     undrawn = without_drawn_bodies(robot)
-    robot, coupled = without_coupled_axes(undrawn.robot)
-    refused = tuple(_refusals(robot))
-    if refused:
-        return WrittenRobot("", refused)
+    serial, coupled = without_coupled_axes(undrawn.robot)
+    if any(True for _ in _branching(serial)):
+        return _of_frames(robot)
+    robot = serial
     table, losses = _table(robot), tuple(_losses(robot, undrawn.names))
     X_NM = table.frames[-1] @ robot.X_nM
     head = {
-        "name": text(robot.name),
-        "title": text(robot.title),
+        **_names(robot),
         "convention": text(table.convention),
         "home": row(coordinate(q, joint.type) for q, joint in zip(robot.home, robot.joints, strict=True)),
-        "gravity": "" if tuple(robot.gravity) == DOWN else row(map(number, robot.gravity.tolist())),
-        "origins": _rows([_origin(one.parameters, one.kind, one.source) for one in robot.origins]),
-        "class": text(robot.arm_class.value) if robot.arm_class is not None else "",
-        "payload": number(robot.rated_payload) if isfinite(robot.rated_payload) else "",
-        **_path_limits(robot.path_limits),
+        **_figures(robot),
         "joints": _rows(
             [
                 _joint(one, j) | _coupled(robot, coupled, k)
@@ -104,7 +107,47 @@ def write_robot_file(robot: RobotModel) -> WrittenRobot:
         for drive, frames in zip(robot.drives, _pin_frames(robot, table), strict=False)
     ]
     parts += [f"[[drives]]\n{lines(keys)}" for keys in drives if keys and None not in drives]
-    written = "\n".join(parts)
+    parts += [f"{heading}\n{lines(keys)}" for heading, keys in spring_sections(robot, table.frames)]
+    return _sure(robot, "\n".join(parts), losses)
+
+
+def _of_frames(robot: RobotModel) -> WrittenRobot:
+    """Return the robot file of a mechanism that is no chain: the frames of its joints, and its loops."""
+    if unwritten_couplings(robot):
+        message = f"`{robot.name}` has couplings of joints with several freedoms"
+        hint = "a NIROX file holds all of it: let its name end in .stp"
+        return WrittenRobot("", (NOT_IN_ROBOT_FILE.at(None, message, hint=hint),))
+    head = {
+        **_names(robot),
+        **frame_keys(robot),
+        **_figures(robot),
+        "joints": _rows(joint_rows(robot)),
+    }
+    all_links = any(link.shapes or link.mass or link.inertia.any() or link.com.any() for link in robot.links)
+    parts = [lines(head)]
+    for heading, keys in (*sections(robot), *spring_sections(robot, [Pose() for _ in robot.joints])):
+        if any(keys.values()) or (heading == "[[links]]" and all_links):
+            parts.append(f"{heading}\n{lines(keys)}")
+    return _sure(robot, "\n".join(parts), tuple(_losses(robot, ())))
+
+
+def _names(robot: RobotModel) -> dict[str, str]:
+    return {"name": text(robot.name), "title": text(robot.title)}
+
+
+def _figures(robot: RobotModel) -> dict[str, str]:
+    """Return the keys of the file on the robot as a whole."""
+    return {
+        "gravity": "" if tuple(robot.gravity) == DOWN else row(map(number, robot.gravity.tolist())),
+        "origins": _rows([_origin(one.parameters, one.kind, one.source) for one in robot.origins]),
+        "class": text(robot.arm_class.value) if robot.arm_class is not None else "",
+        "payload": number(robot.rated_payload) if isfinite(robot.rated_payload) else "",
+        **_path_limits(robot.path_limits),
+    }
+
+
+def _sure(robot: RobotModel, written: str, losses: tuple[Diagnostic, ...]) -> WrittenRobot:
+    """Return a text with its losses; none where it could not be read again."""
     unreadable = tuple(_unreadable(robot, written))
     return WrittenRobot("", unreadable) if unreadable else WrittenRobot(written, losses)
 
@@ -147,22 +190,16 @@ def _pin_frames(robot: RobotModel, table: _Table) -> list[PinFrames]:
     ]
 
 
-def _refusals(robot: RobotModel) -> Iterator[Diagnostic]:
+def _branching(robot: RobotModel) -> Iterator[str]:
     """Yield why no table can be made of the joints of a robot."""
-    kinds = {joint.type for joint in robot.joints} - {JointType.REVOLUTE, JointType.PRISMATIC}
-    chain = [joint.parent for joint in robot.joints] == list(range(-1, len(robot.joints) - 1))
-    for found, what in (
-        (bool(kinds), f"joints of the types {', '.join(sorted(kind.value for kind in kinds))}"),
-        (not chain, "branches"),
-        (bool(robot.couplings), "couplings between joints"),
-        (bool(robot.cuts), "closed chains"),
-        (robot.tip != len(robot.joints) - 1, "its mechanical interface on another link than the last one"),
-    ):
-        if found:
-            message = f"`{robot.name}` has {what}, a robot file has one chain of turning and sliding joints"
-            yield NOT_IN_ROBOT_FILE.at(
-                None, message, hint="a NIROX file holds all of it: let its name end in .stp"
-            )
+    if {joint.type for joint in robot.joints} - {JointType.REVOLUTE, JointType.PRISMATIC}:
+        yield "joints of other types"
+    if [joint.parent for joint in robot.joints] != list(range(-1, len(robot.joints) - 1)):
+        yield "branches"
+    if robot.couplings or robot.cuts or robot.axes != tuple(range(len(robot.joints))):
+        yield "joints that are no axes"
+    if robot.tip != len(robot.joints) - 1:
+        yield "its mechanical interface on another link than the last one"
 
 
 def _losses(robot: RobotModel, undrawn: Sequence[str]) -> Iterator[Diagnostic]:

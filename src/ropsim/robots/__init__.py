@@ -26,6 +26,8 @@ from ropsim.robots.library import names as names
 from ropsim.robots.loops.cascaded_loops import LoopBandwidths as LoopBandwidths
 from ropsim.robots.loops.cascaded_loops import standard_bandwidths as standard_bandwidths
 from ropsim.robots.loops.cascaded_loops import standard_gains as standard_gains
+from ropsim.robots.loops.hydraulic_gains import flow_gains as flow_gains
+from ropsim.robots.loops.hydraulic_gains import parallel_pi_gains as parallel_pi_gains
 from ropsim.robots.loops.torque_loops import standard_torque_gains as standard_torque_gains
 from ropsim.robots.loops.tuned_loops import STANDARD_DAMPING as STANDARD_DAMPING
 from ropsim.robots.loops.tuned_loops import can_be_tuned as can_be_tuned
@@ -35,4 +37,6 @@ from ropsim.robots.path_limits_of_joints import TOOL_LENGTH as TOOL_LENGTH
 from ropsim.robots.path_limits_of_joints import path_limits_of_joints as path_limits_of_joints
 from ropsim.robots.standard_controller import acts_directly as acts_directly
 from ropsim.robots.standard_controller import cascaded_controller as cascaded_controller
+from ropsim.robots.standard_controller import controller_under as controller_under
+from ropsim.robots.standard_controller import possible_laws as possible_laws
 from ropsim.robots.standard_controller import swings as swings

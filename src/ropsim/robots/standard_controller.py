@@ -1,10 +1,12 @@
 """The standard controller of an arm: its law and gains follow from its model by stated bandwidths.
 
 An arm with electric motors gets computed torque: the law knows masses, tool and part, so that its loops are
-the same in every posture and with every load. Hydraulic axes and cylinders, whose force has another lever at
-each place, get loops of their own, joint by joint, and so do long chains. An arm without drives follows its
-reference exactly.
+the same in every posture and with every load. An arm on hydraulic cylinders or motors gets the law of flow,
+load and damping, which knows levers and oil besides. Arms with drives of both kinds get loops of their own,
+joint by joint, and so do long chains. An arm without drives follows its reference exactly.
 """
+
+from collections.abc import Callable
 
 import numpy as np
 
@@ -24,6 +26,12 @@ from ropsim.model import (
 )
 from ropsim.robots.default_path_limits import default_path_limits
 from ropsim.robots.loops.cascaded_loops import cascade_statement, standard_gains
+from ropsim.robots.loops.hydraulic_gains import (
+    flow_gains,
+    flow_statement,
+    parallel_pi_gains,
+    pi_statement,
+)
 from ropsim.robots.loops.hydraulic_loops import (
     LONGEST_SETTLING,
     WINDOW,
@@ -54,10 +62,46 @@ def standard_controller(robot: Mechanism, rates: Rates) -> ControllerModel:
     if not robot.drives:
         return _controller(robot, rates, ControllerKind.IDEAL, NoGains(), ())
     check_model(robot)
+    return controller_under(robot, rates, possible_laws(robot)[0])
+
+
+def possible_laws(robot: Mechanism) -> tuple[ControllerKind, ...]:
+    """Return the laws that an arm with drives may have, the standard one first."""
+    fixed = ControllerKind.CASCADED_P_PI
+    if _is_hydraulic(robot):
+        alike = ControllerKind.PARALLEL_PI
+        return (fixed, alike) if _is_long(robot) else (ControllerKind.FLOW_LOAD_DAMPING, alike, fixed)
     if not _is_modelled(robot):
-        return cascaded_controller(robot, rates)
+        return (fixed,)
+    torque = ControllerKind.COMPUTED_TORQUE
+    return (torque,) if acts_directly(robot) else (torque, fixed)
+
+
+def controller_under(robot: Mechanism, rates: Rates, law: ControllerKind) -> ControllerModel:
+    """Return the controller of an arm with drives under one of its possible laws, with gains from its model.
+
+    Raises:
+        JointCountError: links or drives are missing.
+        MechanismError: the mechanism cannot be.
+    """
+    return _MADE[law](robot, rates)
+
+
+def _torque_controller(robot: Mechanism, rates: Rates) -> ControllerModel:
     gains, origin = standard_torque_gains(robot, rates), _origin(torque_statement(robot, rates))
     return _controller(robot, rates, ControllerKind.COMPUTED_TORQUE, gains, (origin,))
+
+
+def _flow_controller(robot: Mechanism, rates: Rates) -> ControllerModel:
+    gains = flow_gains(robot, rates)
+    return _controller(
+        robot, rates, ControllerKind.FLOW_LOAD_DAMPING, gains, (_origin(flow_statement(gains)),)
+    )
+
+
+def _pi_controller(robot: Mechanism, rates: Rates) -> ControllerModel:
+    gains = parallel_pi_gains(robot, rates)
+    return _controller(robot, rates, ControllerKind.PARALLEL_PI, gains, (_origin(pi_statement(gains)),))
 
 
 def cascaded_controller(robot: Mechanism, rates: Rates) -> ControllerModel:
@@ -107,13 +151,22 @@ def _controller(
     )
 
 
+def _is_hydraulic(robot: Mechanism) -> bool:
+    """Return whether all axes are hydraulic, without elastic gears."""
+    return len(hydraulic_axes(robot)) == robot.n and not elastic_axes(robot).any()
+
+
+def _is_long(robot: Mechanism) -> bool:
+    return structure_of(robot).is_long
+
+
 def _is_modelled(robot: Mechanism) -> bool:
-    """Return whether torques of the model can be commanded: to electric motors, of a chain that is not long.
+    """Return whether torques of the model can be commanded: to electric motors, of a short open chain.
 
     Straight-line code of a long chain takes long to compile.
     """
     levers = any(isinstance(drive.transmission, Linkage) for drive in robot.drives)
-    return not (levers or hydraulic_axes(robot) or structure_of(robot).is_long)
+    return not (levers or hydraulic_axes(robot) or _is_long(robot) or robot.cuts)
 
 
 def _origin(statement: str) -> ParameterOrigin:
@@ -125,3 +178,12 @@ def _is_direct(drive: Drive) -> bool:
     states = (*chain.motor.states, *chain.transmission.states)
     takes_effort = chain.amplifier.kind is InputKind.EFFORT and not states
     return takes_effort and drive.motor.rotor_inertia == 0.0
+
+
+_MADE: dict[ControllerKind, Callable[[Mechanism, Rates], ControllerModel]] = {
+    ControllerKind.COMPUTED_TORQUE: _torque_controller,
+    ControllerKind.FLOW_LOAD_DAMPING: _flow_controller,
+    ControllerKind.PARALLEL_PI: _pi_controller,
+    ControllerKind.CASCADED_P_PI: cascaded_controller,
+}
+"""Without the ideal one, which no arm with drives has."""

@@ -54,6 +54,8 @@ from ropsim.simulation.records.tally_kernel import greatest as greatest
 from ropsim.simulation.records.tally_kernel import peaks as peaks
 from ropsim.simulation.records.tool_frames import ToolFrames as ToolFrames
 from ropsim.simulation.records.track import Track as Track
+from ropsim.simulation.servo.divergence import diverged as diverged
+from ropsim.simulation.servo.divergence import is_sound as is_sound
 from ropsim.simulation.servo.judged import BELOW as BELOW
 from ropsim.simulation.servo.judged import full_values as full_values
 from ropsim.simulation.servo.judged import judged as judged

@@ -1,9 +1,11 @@
 """Door for tests: names behind the front of the package. Production code does not import it."""
 
 from ropsim.views.accuracy import BAND as BAND
+from ropsim.views.accuracy import ContourFigures as ContourFigures
 from ropsim.views.accuracy import CornerFigures as CornerFigures
 from ropsim.views.accuracy import SpeedFigures as SpeedFigures
 from ropsim.views.accuracy import StopFigures as StopFigures
+from ropsim.views.accuracy import contours as contours
 from ropsim.views.accuracy import largest_angle as largest_angle
 from ropsim.views.accuracy import path_repeatability as path_repeatability
 from ropsim.views.accuracy import speed_figures as speed_figures
@@ -19,6 +21,7 @@ from ropsim.views.html.accuracy import corner_table as corner_table
 from ropsim.views.html.accuracy import path_table as path_table
 from ropsim.views.html.accuracy import stop_table as stop_table
 from ropsim.views.html.cards import key_figures as key_figures
+from ropsim.views.html.contours import contour_section as contour_section
 from ropsim.views.html.energy import drive_section as drive_section
 from ropsim.views.html.energy import energy_section as energy_section
 from ropsim.views.html.findings import SHOWN_MESSAGES as SHOWN_MESSAGES

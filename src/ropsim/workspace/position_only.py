@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ropsim.kinematics import follower_limits
 from ropsim.model import RobotModel, coupled_limits
 from ropsim.spatial import Array, frozen, record
 from ropsim.workspace.point import INTERFACE, MovedPoint, PointKind
@@ -78,7 +79,7 @@ def reaching(robot: RobotModel, p_M: Array, place: Array) -> tuple[Array, float]
         Q, error = (np.where(nearer[:, np.newaxis], *one) for one in ((tried, Q), (then, error)))
         scale = np.where(nearer, np.maximum(scale / EASED, LEAST), scale * STIFFENED)
     off = np.linalg.norm(place - point.positions(robot, Q), axis=1)
-    allowed = (coupled_limits(robot).excess(Q) == 0.0).all(axis=1)
+    allowed = (follower_limits(robot).excess(Q) == 0.0).all(axis=1)
     good = (off <= NEAR) & allowed
     return np.asarray(Q[good]), float(off[allowed].min()) if allowed.any() else float(off.min())
 
@@ -95,7 +96,7 @@ def _walls(robot: RobotModel, ranges: AxisRanges) -> Walls:
 def _starts(robot: RobotModel, point: MovedPoint, ranges: AxisRanges, place: Array) -> Array:
     """Return configurations that fill the ranges, half of them the nearest to a place."""
     Q = even_rows(ranges, SAMPLES)
-    allowed = (coupled_limits(robot).excess(Q) == 0.0).all(axis=1)
+    allowed = (follower_limits(robot).excess(Q) == 0.0).all(axis=1)
     Q = Q[allowed] if allowed.any() else Q
     off = np.linalg.norm(place - point.positions(robot, Q), axis=1)
     half = STARTS // 2

@@ -10,7 +10,7 @@ import numpy as np
 from ropsim import robots
 from ropsim.core import SourceText
 from ropsim.kinematics import forward
-from ropsim.model import ALL_DIRECTIONS, LoopCut, audit, mechanism_findings
+from ropsim.model import ALL_DIRECTIONS, JointSpring, LoopCut, Spring, audit, mechanism_findings
 from ropsim.nirox import nirox_schema, read_nirox, write_nirox
 from ropsim.spatial import Pose
 from ropsim.views import Style, diagnostics_text
@@ -22,6 +22,8 @@ from support.nirox_texts import WEIGHED_PLAIN
 from support.trees import random_tree
 
 _CUT = LoopCut(-1, Pose(), 4, Pose(), ALL_DIRECTIONS[:5])
+_SPRING = Spring("spring", -1, np.zeros(3), 1, np.ones(3), 100.0, 0.2, 1.0)
+_ON_JOINT = JointSpring("on joint", 0, 10.0, 0.1)
 _REFERENCE, _KEYWORD = re.compile(rb"#\d+"), re.compile(rb"(?<==)[A-Z_0-9]+")
 _SHOWN = 5  # findings that are written out
 
@@ -31,7 +33,15 @@ def _texts() -> tuple[bytes, ...]:
     """Return right files; they are made when the first case is, since all targets load this module."""
     scara, tree = robots.load("scara"), random_tree(2, 5).robot
     drawn = (scara.links[0], *(replace(one, shapes=()) for one in scara.links[1:]))  # fewer shapes: faster
-    chain = replace(random_chain(2), couplings=(), axes=(0,), home=np.zeros(1), cuts=(_CUT,))
+    chain = replace(
+        random_chain(2),
+        couplings=(),
+        axes=(0,),
+        home=np.zeros(1),
+        cuts=(_CUT,),
+        springs=(_SPRING,),
+        joint_springs=(_ON_JOINT,),
+    )
     written = [write_nirox(one).text for one in (replace(scara, links=drawn, base_shapes=()), tree, chain)]
     return tuple(one.encode() for one in (HAND, WEIGHED_PLAIN, *written))
 

@@ -15,6 +15,7 @@ MODULES: Mapping[str, tuple[str, ...]] = {
     "traces": ("trace",),
     "part21_files": ("part21",),
     "nirox_files": ("nirox",),
+    "control_files": ("control",),
 }
 """The names of the targets of each module, in its order."""
 NAMES = tuple(name for names in MODULES.values() for name in names)

@@ -73,7 +73,9 @@ mov via a above 50, joints(0, 90, -180, 0, -45, 0), home to b speed 50 %
 lin via b, c to a fine at 5 mm before end do set glue = not ready
 lin c until ready store touch timeout 2 speed 5
 lin touch rel (0, 0, -5) until force_z > 15 N
-q = a
+lin (350, 0, 120; free, rz 10) offset (0, 0, 5) free blend 3
+circ via b to c free
+q = a free
 q.y = q.y + 5
 mov q until not (ready is off) store q
 """

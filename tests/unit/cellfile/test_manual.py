@@ -30,7 +30,7 @@ def test_every_example_is_a_right_cell_file(example: str) -> None:
 
 
 def test_the_examples_show_what_they_are_about() -> None:
-    first, external, stations, axis, devices, library, frames, sensing = (
+    first, external, measured, stations, axis, devices, library, frames, sensing = (
         read_cell(SourceText("", one), "")[0] for one in EXAMPLES
     )
     assert first is not None
@@ -38,6 +38,11 @@ def test_the_examples_show_what_they_are_about() -> None:
     assert external is not None
     assert external.first.robot.n == 8
     assert external.external["stock"].values == pytest.approx((1.2, math.pi / 2.0))
+    assert measured is not None
+    coordinate, pressure = measured.first.controller.sensors.sensors
+    assert coordinate.step.tolist() == [math.pi / 2.0**15] * 2
+    assert pressure.step.tolist() == [25e6 / 2.0**12] * 2
+    assert (pressure.delay, pressure.noise.tolist()) == (1e-3, [1e4, 1e4])
     assert stations is not None
     assert list(stations.stations) == ["left", "right"]
     assert axis is not None

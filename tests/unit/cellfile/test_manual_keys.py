@@ -59,6 +59,8 @@ MOVED = DEVICE | listed("**`slide`**") | LOOK
 TOOL, SHAPES, SIGNAL = listed("## `[tools."), listed("### Shapes"), listed("## `[signals.")
 PARTS, DESTINATIONS, SENSOR = listed("## `[[parts]]`"), listed("### Destinations"), listed("A sensor is at")
 
+SENSORS = behind("### Sensors of the joint controller").partition("\n## ")[0]
+
 LIBRARY = listed("### Parts of the library")
 HEADS = {
     Use.TOOL: "[tools.a]",
@@ -78,6 +80,8 @@ EXPLAINED = [
     ),
     (f"{ARM}[controller]\n?", CONTROLLER),
     ('[robot]\nmodel = "two_link"\n[controller]\n?', CONTROLLER),
+    (f"{ARM}[controller.sensors]\n?", words_of(SENSORS)),
+    (f"{ARM}[controller.sensors]\ncoordinate = {{ ? }}", words_of(SENSORS)),
     (f"{ARM}track = {{ ? }}", TRACK),
     (f'{ARM}track = {{ kind = "gantry", ? }}', TRACK),
     (f"{ARM}track = {{ mount = {{ ? }} }}", told("| `mount`")),

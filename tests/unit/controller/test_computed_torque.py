@@ -9,7 +9,7 @@ import pytest
 
 from ropsim import robots
 from ropsim.codegen import Engine
-from ropsim.controller import GainError, law_of
+from ropsim.controller import CompiledLaw, GainError, law_of
 from ropsim.dynamics import inverse_dynamics, with_rigid_gears
 from ropsim.model import (
     ComputedTorqueGains,
@@ -46,6 +46,7 @@ def output(robot: RobotModel, ref: Array, meas: Array, load: Payload) -> Array:
     from ropsim.dynamics import barycentric
 
     law = law_of(torque_controller(robot), robot)
+    assert isinstance(law, CompiledLaw)
     scope: dict[str, Any] = {"math": math}
     for one in (*(function.text for function in law.functions), law.source):
         exec(one, scope)
@@ -167,6 +168,7 @@ def test_the_integral_stands_still_while_the_amplifier_is_at_its_limit() -> None
     model = torque_controller(robot)
     rate = np.full(2, OMEGA)
     law = law_of(replace(model, gains=ComputedTorqueGains(rate**2, 2.0 * rate, np.ones(2))), robot)
+    assert isinstance(law, CompiledLaw)
     scope: dict[str, Any] = {"math": math}
     for one in (*(function.text for function in law.functions), law.source):
         exec(one, scope)

@@ -35,6 +35,7 @@ def test_capabilities_are_those_that_the_diagnostic_page_names() -> None:
         "CLOCK",
         "CONFIG",
         "EXT",
+        "FREE",
         "GRIP",
         "GUARD",
         "IO",

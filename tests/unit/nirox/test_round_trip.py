@@ -1,6 +1,7 @@
 """Robots through NIROX files and back are equal to the last bit, texts through robots the same bytes."""
 
 import re
+from collections.abc import Callable
 from dataclasses import replace
 from math import inf
 
@@ -13,6 +14,7 @@ from ropsim.exchange import read_urdf, write_urdf
 from ropsim.kinematics import forward
 from ropsim.model import (
     ALL_DIRECTIONS,
+    BASE_LINK,
     ArmClass,
     BacklashGear,
     CurrentLimitedAmplifier,
@@ -27,6 +29,7 @@ from ropsim.model import (
     GuardedAmplifier,
     HydraulicMotor,
     HydraulicVane,
+    JointSpring,
     JointType,
     LaggingMotor,
     LoadFriction,
@@ -39,6 +42,7 @@ from ropsim.model import (
     RobotModel,
     Shape,
     Sphere,
+    Spring,
     StribeckFriction,
     ThermalDcMotor,
     ValveAmplifier,
@@ -49,6 +53,7 @@ from ropsim.model import (
 from ropsim.nirox import ConformanceClass, ReadNirox, read_nirox, write_nirox
 from ropsim.spatial import Pose
 from support.built_in import WRITTEN
+from support.closed_arms import delta, five_bar, palletizer, two_link_with_cylinders
 from support.cylinders import CYLINDER, lifted
 from support.cylinders import DRIVE as CYLINDER_DRIVE
 from support.nirox_texts import TEXT
@@ -85,6 +90,39 @@ def again(robot: RobotModel) -> RobotModel:
 @pytest.mark.parametrize("name", WRITTEN)
 def test_built_in_robots_come_back_to_the_last_bit(name: str) -> None:
     assert again(robots.load(name)) == robots.load(name)
+
+
+SPRINGS = (
+    Spring("balance", BASE_LINK, np.array([0.1, 0.2, 0.3]), 1, np.array([0.0, -0.1, 0.05]), 2e4, 0.3, 50.0),
+    Spring("damper", 0, np.zeros(3), 2, np.array([0.3, 0.0, 0.1]), 0.0, damping=12.5),
+)
+ON_JOINTS = (JointSpring("return", 1, 30.0, 0.2, 0.5), JointSpring("stop", 0, 1.0 / 3.0))
+
+
+def test_springs_and_dampers_come_back() -> None:
+    robot = replace(robots.load("puma560"), springs=SPRINGS, joint_springs=ON_JOINTS)
+    assert again(robot) == robot
+
+
+def test_points_of_springs_stand_in_the_frames_of_their_links() -> None:
+    """A file that describes a link elsewhere than at its joint says its points there, too."""
+    robot = replace(robots.load("two_link"), springs=(replace(SPRINGS[0], link_2=1),))
+    written = write_nirox(robot).text
+    bodies = re.findall(r"#(\d+)=REVOLUTE_PAIR\S*\('[^']*',\*,\$,#\d+,#(\d+)", written)
+    moved = re.sub(
+        rf"#{bodies[1][1]}=AXIS2_PLACEMENT_3D\('',#\d+",
+        f"#{bodies[1][1]}=AXIS2_PLACEMENT_3D('',#9999",
+        written,
+    ).replace("ENDSEC;\nEND-ISO", "#9999=CARTESIAN_POINT('',(0.5,0.,0.));\nENDSEC;\nEND-ISO")
+    found = read(moved)
+    assert found.robot is not None, found.findings
+    np.testing.assert_allclose(found.robot.springs[0].point_2, SPRINGS[0].point_2 - [0.5, 0.0, 0.0])
+
+
+@pytest.mark.parametrize("make", [palletizer, two_link_with_cylinders, five_bar, delta])
+def test_arms_with_closed_chains_come_back(make: Callable[[], RobotModel]) -> None:
+    robot = replace(make(), drives=())
+    assert again(robot) == robot
 
 
 def test_robots_on_a_track_and_beside_a_positioner_come_back() -> None:

@@ -8,7 +8,7 @@ import pytest
 
 import ropsim
 from ropsim import robots
-from ropsim.controller import law_of
+from ropsim.controller import CompiledLaw, law_of
 from ropsim.flow import MoveEvent, Recording
 from ropsim.model import ControllerKind, ElasticGear, Friction, JointType, Payload, Rates, RobotModel, Tool
 from ropsim.simulation import RunOptions, linear_loop, run
@@ -133,5 +133,7 @@ def test_arms_with_electric_motors_get_computed_torque_and_share_its_code() -> N
     robot = robots.load("puma560")
     links = tuple(replace(link, mass=1.1 * link.mass) for link in robot.links)
     one, two = (law_of(robots.default_controller(arm), arm) for arm in (robot, replace(robot, links=links)))
+    assert isinstance(one, CompiledLaw)
+    assert isinstance(two, CompiledLaw)
     assert (one.source, one.functions) == (two.source, two.functions)
     assert (one.parameters != two.parameters).any()

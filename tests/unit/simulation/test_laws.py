@@ -209,10 +209,9 @@ def test_a_source_without_a_law_is_told() -> None:
     assert "defines no function `law`" in found.message
 
 
-def test_an_old_signature_is_told_with_the_new_one() -> None:
-    found = _found(
-        CompiledLaw("own", "def law(par, state, ref, meas, out):\n    pass\n", (), np.zeros((0, 2)))
-    )
+@pytest.mark.parametrize("arguments", ["par, state, ref, meas, voltage", "par, state, ref, meas"])
+def test_another_signature_is_told_with_the_right_one(arguments: str) -> None:
+    found = _found(CompiledLaw("own", f"def law({arguments}):\n    pass\n", (), np.zeros((0, 2))))
     assert found.code == "C601"
     assert "load, aux, out" in (found.hint or "")
 

@@ -8,7 +8,10 @@ import numpy as np
 from ropsim import robots
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.robots.external_axes import ExternalAxes, read_external_axes
+from ropsim.cellfile.robots.law_file import with_law_file
+from ropsim.cellfile.robots.sensors import read_sensors, sensor_words
 from ropsim.core import RopsimError
+from ropsim.kinematics import follower_limits
 from ropsim.model import (
     GAIN_NAMES,
     LAW_WORDS,
@@ -16,6 +19,7 @@ from ropsim.model import (
     ControllerModel,
     CorrectionLimits,
     JointType,
+    LawFile,
     LookAhead,
     OrientationMode,
     OriginKind,
@@ -27,7 +31,6 @@ from ropsim.model import (
     Station,
     Synchronisation,
     axes_words,
-    coupled_limits,
     gain_names,
     with_axis_limits,
 )
@@ -179,7 +182,7 @@ def _start(table: TomlTable, model: RobotModel, units: Units) -> Array:
         message = f"joint `{joint.name}` would start at {found}, its limits are {lower} and {upper}"
         hint = "without `start` the arm starts at its home position"
         table.findings.add(kinds.START_OUTSIDE_LIMITS, table.value_span("start", k), message, hint)
-    coupled = coupled_limits(model)
+    coupled = follower_limits(model)
     for joint, value, beyond in zip(
         coupled.joints, coupled.values(start).tolist(), coupled.excess(start).tolist(), strict=True
     ):
@@ -202,6 +205,9 @@ def _controller(
 ) -> ControllerModel:
     windows = [quantity.within(_NARROWEST, _WIDEST) for quantity in _coordinates(model, units)]
     controller = _with_stated_law(table, controller, model)
+    sensors = read_sensors(table.table("sensors"), model, units)
+    words = [sensor_words(sensors)] if sensors.sensors else []
+    measured = tuple(ParameterOrigin("sensors", OriginKind.DERIVED, one) for one in words)
     names = gain_names(controller.gains)
     given = [name for name in names if name in table]
     given_path = [name for name in _PATH_KEYS if name in table]
@@ -211,9 +217,10 @@ def _controller(
         )
         for name in names
     }
+    if not isinstance(controller.gains, LawFile):
+        controller = replace(controller, gains=type(controller.gains)(**gains))
     return replace(
         controller,
-        gains=type(controller.gains)(**gains),
         path=_path(table, controller.path, units),
         in_position=_per_joint(table, "in_position", windows, controller.in_position, model),
         settle_timeout=table.number("settle_timeout", _SETTLE, controller.settle_timeout),
@@ -233,26 +240,30 @@ def _controller(
         origins=tuple(
             _with_given(origin, given_path if origin.parameters == robots.PATH_LIMITS else given)
             for origin in controller.origins
-        ),
+        )
+        + measured,
+        sensors=sensors,
     )
 
 
 def _with_stated_law(table: TomlTable, controller: ControllerModel, model: RobotModel) -> ControllerModel:
     """Return the standard controller under the stated law, else under that to which the stated gains belong.
 
-    Gains of an arm with geared motors are those of loops joint by joint, unless `kd` is among them, which
-    computed torque alone has.
+    Gains are those of loops joint by joint where an arm may have them, unless one is among them that only its
+    standard law has, such as `kd`.
     """
+    if "file" in table:
+        return with_law_file(table, controller)
     if controller.kind is ControllerKind.IDEAL:
         return controller
-    fixed, possible = LAW_WORDS[ControllerKind.CASCADED_P_PI], [LAW_WORDS[controller.kind]]
-    if controller.kind is ControllerKind.COMPUTED_TORQUE and not robots.acts_directly(model):
-        possible.append(fixed)
-    belongs = "kd" not in table and any(name in table for name in GAIN_NAMES)
-    law = table.choice("law", possible, fixed if belongs and fixed in possible else possible[0])
-    if law == LAW_WORDS[controller.kind]:
+    kinds = {LAW_WORDS[kind]: kind for kind in robots.possible_laws(model)}
+    standard, fixed = LAW_WORDS[controller.kind], LAW_WORDS[ControllerKind.CASCADED_P_PI]
+    own = set(gain_names(controller.gains)) - set(GAIN_NAMES)
+    belongs = any(name in table for name in GAIN_NAMES) and not any(name in table for name in own)
+    law = table.choice("law", list(kinds), fixed if belongs and fixed in kinds else standard)
+    if law == standard or law not in kinds:
         return controller
-    return robots.cascaded_controller(model, controller.rates)
+    return robots.controller_under(model, controller.rates, kinds[law])
 
 
 def _limited(table: TomlTable, model: RobotModel, units: Units) -> RobotModel:

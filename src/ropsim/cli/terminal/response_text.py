@@ -5,8 +5,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import fields
 from typing import TypeAlias
 
-from ropsim.model import LAW_WORDS, ControllerModel, JointType, RobotModel
-from ropsim.simulation import FrequencyResponse, Margins, TimeResponse, lag_of, step_figures
+from ropsim.model import LAW_WORDS, ControllerModel, JointType, Linkage, RobotModel
+from ropsim.simulation import FrequencyResponse, Margins, OilSpring, TimeResponse, lag_of, step_figures
 from ropsim.spatial import Array, record
 from ropsim.views import Style, TableCell, Tone, columns_text
 
@@ -30,6 +30,8 @@ class Rest:
         place: that in words.
         load: mass of the tool [kg].
         modes: frequencies [Hz] and damping ratios of the closed loop, the slowest first.
+        swings: of arm and drives without the law, likewise.
+        oil: levers, masses and oil of hydraulic axes there.
         is_ramp: whether references go at a speed; else they step.
     """
 
@@ -39,6 +41,8 @@ class Rest:
     place: str
     load: float
     modes: tuple[Array, Array]
+    swings: tuple[Array, Array]
+    oil: tuple[OilSpring, ...]
     is_ramp: bool
 
 
@@ -77,6 +81,8 @@ def response_text(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> str
     lines += [*columns_text(*margins_table(rest, tested), style), ""]
     if tested[0].sweep is not None:
         lines += [*_sweeps(rest, tested, style), ""]
+    if rest.oil:
+        lines += [*columns_text(*oil_table(rest), style), ""]
     return "\n".join([*lines, *notes(rest)]) + "\n"
 
 
@@ -88,16 +94,46 @@ def conditions(rest: Rest) -> str:
 
 
 def notes(rest: Rest) -> tuple[str, ...]:
-    """Return the slowest modes, and the effects that margins and modes leave out."""
-    frequencies, ratios = rest.modes
-    shown = [
-        f"{one:.3g} Hz (damping {ratio:.2g})"
-        for one, ratio in zip(frequencies[:_SLOWEST].tolist(), ratios[:_SLOWEST].tolist(), strict=True)
-    ]
-    return (
-        f"slowest modes: {', '.join(shown)}" if shown else "no mode of the loops oscillates",
-        "margins and modes: about the rest, without dry friction, play, and limits of amplifiers",
+    """Return the slowest modes, the sensors, and the effects that margins and modes leave out."""
+    found, shown = list[str](), _modes(rest.modes)
+    found.append(f"slowest modes: {shown}" if shown else "no mode of the loops oscillates")
+    if rest.oil:
+        found.append(f"without the law: {_modes(rest.swings)}")
+    left_out = "dry friction, play, and limits of amplifiers"
+    sensors = rest.controller.sensors.sensors
+    if sensors:
+        left_out += "; of sensors with delays and rates, without steps and noise"
+        names = ", ".join(one.quantity for one in sensors)
+        found.append(f"responses: with the sensors of the cell for {names}, their steps and noise")
+    return (*found, f"margins and modes: about the rest, without {left_out}")
+
+
+def _modes(modes: tuple[Array, Array]) -> str:
+    """Return the slowest modes in words; empty for none."""
+    pairs = zip(*(one[:_SLOWEST].tolist() for one in modes), strict=True)
+    return ", ".join(f"{hz:.3g} Hz (damping {ratio:.2g})" for hz, ratio in pairs)
+
+
+def oil_table(rest: Rest) -> Table:
+    """Return what hydraulic axes stand on."""
+    header = (
+        *("axis", "lever\nmm", "mass at\nrod kg", "oil spring\nMN/m", "alone\nHz"),
+        *("full valve\nforward", "full valve\nback"),
     )
+    rows = []
+    for one in rest.oil:
+        scale, unit = _unit(rest, one.axis)
+        turns = rest.robot.axis_joints[one.axis].measure is JointType.REVOLUTE
+        by_rod = turns and isinstance(rest.robot.drives[one.axis].transmission, Linkage)
+        texts = (
+            f"{1e3 * one.lever:.0f}" if by_rod else "-",
+            f"{one.mass:.3g}" if by_rod else "-",
+            f"{1e-6 * one.stiffness:.3g}" if by_rod else "-",
+            f"{one.hz:.1f}",
+            *(f"{speed * scale:.0f}{unit}/s" for speed in (one.forward, one.back)),
+        )
+        rows.append((TableCell(_name(rest, one.axis)), *map(TableCell, texts)))
+    return header, rows
 
 
 def in_time(rest: Rest, tested: Sequence[TestedAxis]) -> Table:
@@ -193,6 +229,12 @@ def response_document(rest: Rest, tested: Sequence[TestedAxis]) -> dict[str, obj
         "q": rest.q.tolist(),
         "load": rest.load,
         "modes": {"hz": frequencies.tolist(), "damping": ratios.tolist()},
+        "modes_without_law": {"hz": rest.swings[0].tolist(), "damping": rest.swings[1].tolist()},
+        "oil": [
+            {"axis": _name(rest, one.axis)}
+            | {one_.name: getattr(one, one_.name) for one_ in fields(one) if one_.name != "axis"}
+            for one in rest.oil
+        ],
         "axes": [_axis_entry(rest, one) for one in tested],
     }
 

@@ -1,13 +1,10 @@
 """The functions of an arm that is too long for straight-line code: loops over its joints."""
 
-import ast
-from collections.abc import Callable
 from functools import cache
-from inspect import getsource
 
 import numpy as np
 
-from ropsim.codegen import Compiled, Engine, SourceFunction, load
+from ropsim.codegen import Compiled, Engine, SourceFunction, load, source_function
 from ropsim.dynamics.long_arms import chain_steps as steps
 from ropsim.dynamics.long_arms.chain_loop import chain_accelerations, chain_mass_matrix, chain_torques
 from ropsim.dynamics.model_check import check_model
@@ -19,48 +16,36 @@ from ropsim.spatial import Array
 _TYPES = {"chain": "f8[::1]", "b": "i8", "q": "f8", "qd": "f8", "R": "f8[:,::1]", "A": "f8[:,::1]"}
 
 
-def _source(function: Callable[..., None], **types: str) -> SourceFunction:
-    """Return a function with its source text; an argument without a type is a vector."""
-    module = ast.parse(getsource(function))
-    (definition,) = module.body
-    assert isinstance(definition, ast.FunctionDef)
-    for argument in definition.args.args:
-        argument.annotation = None
-    names = [argument.arg for argument in definition.args.args]
-    words = ", ".join(types.get(name, "f8[::1]") for name in names)
-    return SourceFunction(function.__name__, f"void({words})", ast.unparse(module))
-
-
 @cache
 def _steps() -> tuple[SourceFunction, ...]:
     return (
-        _source(steps.place_joint, **_TYPES),
-        _source(steps.carry_motion, **_TYPES),
-        _source(steps.carry_force, **_TYPES),
-        _source(steps.move_joint, **_TYPES),
-        _source(steps.momentum, **_TYPES),
-        _source(steps.turn_momentum, **_TYPES),
-        _source(steps.spatial_inertia, **_TYPES),
-        _source(steps.carry_inertia, **_TYPES, into="f8[:,::1]"),
+        source_function(steps.place_joint, **_TYPES),
+        source_function(steps.carry_motion, **_TYPES),
+        source_function(steps.carry_force, **_TYPES),
+        source_function(steps.move_joint, **_TYPES),
+        source_function(steps.momentum, **_TYPES),
+        source_function(steps.turn_momentum, **_TYPES),
+        source_function(steps.spatial_inertia, **_TYPES),
+        source_function(steps.carry_inertia, **_TYPES, into="f8[:,::1]"),
     )
 
 
 @cache
 def chain_torque_code() -> tuple[SourceFunction, ...]:
     """Return the functions of inverse dynamics; `chain_torques` is the last."""
-    return (*_steps(), _source(chain_torques))
+    return (*_steps(), source_function(chain_torques))
 
 
 @cache
 def chain_acceleration_code() -> tuple[SourceFunction, ...]:
     """Return the functions of forward dynamics; `chain_accelerations` is the last."""
-    return (*_steps(), _source(chain_accelerations))
+    return (*_steps(), source_function(chain_accelerations))
 
 
 @cache
 def chain_mass_matrix_code() -> tuple[SourceFunction, ...]:
     """Return the functions of the mass matrix; `chain_mass_matrix` is the last."""
-    return (*chain_torque_code(), _source(chain_mass_matrix))
+    return (*chain_torque_code(), source_function(chain_mass_matrix))
 
 
 def chain_numbers(structure: ArmStructure, numbers: Array) -> Array:

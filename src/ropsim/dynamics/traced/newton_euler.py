@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from ropsim.codegen import Scalar
 from ropsim.core import frozen_dataclass
 from ropsim.dynamics.traced.traced_arm import TracedArm
+from ropsim.dynamics.traced.traced_springs import trace_joint_spring_efforts, trace_spring_efforts
 from ropsim.dynamics.traced.vectors import Matrix, Vector, add, apply, cross, scale, transpose
 from ropsim.model import JointType
 
@@ -27,21 +28,32 @@ class Wrench:
 def trace_inverse(
     arm: TracedArm, qd: Sequence[Scalar], qdd: Sequence[Scalar], tip: Wrench | None = None
 ) -> list[Scalar]:
-    """Return the torques of the rigid bodies at the axes, n of them: no friction, no motor inertia.
+    """Return the torques of rigid bodies and springs at the coordinates: no friction, no motor inertia.
 
     Args:
         arm: the arm.
-        qd: speeds of the axes, n of them.
-        qdd: accelerations of the axes, n of them.
+        qd: speeds of its coordinates, n of them.
+        qdd: accelerations of its coordinates, n of them.
         tip: force and moment of the mechanical interface on its surroundings, in its own frame.
     """
-    wrenches = _outward(arm, arm.of_steps(qd), arm.of_steps(qdd))
+    speeds = arm.of_steps(qd)
+    wrenches = _outward(arm, speeds, arm.of_steps(qdd))
     if tip is not None and arm.tip >= 0:
         force = apply(arm.interface_rotation, tip.force)
         moment = add(apply(arm.interface_rotation, tip.moment), cross(arm.interface_origin, force))
         own = wrenches[arm.tip]
         wrenches[arm.tip] = Wrench(add(own.force, force), add(own.moment, moment))
-    return arm.of_axes(_inward(arm, wrenches))
+    efforts = _inward(arm, wrenches)
+    if arm.springs:
+        efforts = _sums(efforts, trace_spring_efforts(arm, speeds))
+    torques = arm.of_axes(efforts)
+    if arm.sprung:
+        torques = _sums(torques, trace_joint_spring_efforts(arm, qd))
+    return torques
+
+
+def _sums(one: Sequence[Scalar], other: Sequence[Scalar]) -> list[Scalar]:
+    return [a + b for a, b in zip(one, other, strict=True)]
 
 
 @frozen_dataclass

@@ -4,7 +4,8 @@ from collections.abc import Sequence
 
 from ropsim.codegen import Scalar, Tracer, cos, sin
 from ropsim.core import frozen_dataclass
-from ropsim.dynamics.structure import ArmStructure, Placement, TracedNumbers
+from ropsim.dynamics.loops.fastened import Placement, SpringPlaces
+from ropsim.dynamics.structure import ArmStructure, TracedNumbers
 from ropsim.dynamics.traced.vectors import Matrix, Vector
 from ropsim.model import JointType
 
@@ -26,13 +27,16 @@ class Body:
 
 @frozen_dataclass
 class TracedArm:
-    """An arm in one traced formula: m steps that n axes move.
+    """An arm in one traced formula: m steps that n coordinates move.
+
+    The coordinates are those of the axes, then those that closed chains determine.
 
     Attributes:
         tracer: the graph.
+        coordinates: n of them.
         types: of the steps.
         parents: step that each hangs on, -1 for the base.
-        spread: rows of T, empty where step i is axis i.
+        spread: rows of (T, P), empty where step i is axis i.
         rotations: from the frame of each step to that of its parent, as the arm stands.
         origins: origin of its frame in that of its parent, as the arm stands.
         bodies: body on each step.
@@ -40,9 +44,13 @@ class TracedArm:
         tip: step that carries the mechanical interface, -1 for the base.
         interface_rotation: from the mechanical interface to the frame of that step.
         interface_origin: of the mechanical interface in that frame.
+        springs: between bodies.
+        sprung: (T, P, c) of the coordinate of each spring on one.
+        spring_numbers: stiffness, free length or rest, and damping of each of both.
     """
 
     tracer: Tracer
+    coordinates: tuple[Scalar, ...]
     types: tuple[JointType, ...]
     parents: tuple[int, ...]
     spread: tuple[tuple[float, ...], ...]
@@ -53,6 +61,9 @@ class TracedArm:
     tip: int
     interface_rotation: Matrix
     interface_origin: Vector
+    springs: tuple[SpringPlaces, ...] = ()
+    sprung: tuple[tuple[float, ...], ...] = ()
+    spring_numbers: tuple[list[Scalar], ...] = ()
 
     @property
     def m(self) -> int:
@@ -61,15 +72,15 @@ class TracedArm:
 
     @property
     def n(self) -> int:
-        """Return the number of axes."""
+        """Return the number of coordinates."""
         return len(self.spread[0]) if self.spread else self.m
 
     def of_steps(self, values: Sequence[Scalar]) -> list[Scalar]:
-        """Return speeds or accelerations of the steps from those of the axes: T times them."""
+        """Return speeds or accelerations of the steps from those of the coordinates: T times them."""
         return [_sum(self.tracer, row, values) for row in self.spread] if self.spread else list(values)
 
     def of_axes(self, efforts: Sequence[Scalar]) -> list[Scalar]:
-        """Return the efforts at the axes that do the same work as efforts at the steps: Tᵀ times them."""
+        """Return the efforts at the coordinates that do the work of efforts at the steps: Tᵀ times them."""
         if not self.spread:
             return list(efforts)
         return [_sum(self.tracer, column, efforts) for column in zip(*self.spread, strict=True)]
@@ -78,14 +89,14 @@ class TracedArm:
 def trace_arm(
     tracer: Tracer, structure: ArmStructure, numbers: TracedNumbers, q: Sequence[Scalar]
 ) -> TracedArm:
-    """Return the arm with its axes at `q`, n of them."""
-    rotations, origins = [], []
+    """Return the arm with its coordinates at `q`, n of them."""
+    rotations, origins, moving = [], [], tuple(q)
     if structure.spread:
         q = [_sum(tracer, row[:-1], q) + row[-1] for row in structure.spread]
     for type_, placement, offset, coordinate in zip(
         structure.types, structure.placements, structure.offsets, q, strict=True
     ):
-        R0, p0 = _placed(tracer, placement)
+        R0, p0 = traced_placement(tracer, placement)
         moved = coordinate + offset
         if type_ is JointType.REVOLUTE:
             s, c = sin(moved), cos(moved)
@@ -98,6 +109,7 @@ def trace_arm(
     x, y, z = numbers.base_acceleration
     return TracedArm(
         tracer,
+        moving,
         structure.types,
         structure.parents,
         tuple(row[:-1] for row in structure.spread),
@@ -106,7 +118,10 @@ def trace_arm(
         tuple(traced_body(parameters) for parameters in numbers.bodies),
         (x, y, z),
         structure.tip,
-        *_placed(tracer, structure.interface),
+        *traced_placement(tracer, structure.interface),
+        structure.springs,
+        structure.sprung,
+        tuple(numbers.springs),
     )
 
 
@@ -124,7 +139,8 @@ def traced_body(parameters: list[Scalar]) -> Body:
     return Body(m, (hx, hy, hz), ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz)))
 
 
-def _placed(tracer: Tracer, placement: Placement) -> tuple[Matrix, Vector]:
+def traced_placement(tracer: Tracer, placement: Placement) -> tuple[Matrix, Vector]:
+    """Return rotation and origin of a frame that does not move."""
     xx, xy, xz, yx, yy, yz, zx, zy, zz = (tracer.constant(value) for value in placement[0])
     x, y, z = (tracer.constant(value) for value in placement[1])
     return ((xx, xy, xz), (yx, yy, yz), (zx, zy, zz)), (x, y, z)

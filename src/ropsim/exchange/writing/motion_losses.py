@@ -21,6 +21,14 @@ def limit_losses(robot: RobotModel, tree: WrittenTree) -> Iterable[Diagnostic]:
         yield LOST_MOTION.at(None, words, data={"joints": tuple(names)})
 
 
+def spring_losses(robot: RobotModel) -> Iterable[Diagnostic]:
+    """Yield the springs and dampers that go into no other format than NIROX and the robot file."""
+    names = [one.name for one in robot.springs] + [one.name for one in robot.joint_springs]
+    if names:
+        words = f"springs and dampers {listed(names)} of `{robot.name}` do not go over"
+        yield LOST_MOTION.at(None, words, hint="NIROX holds them", data={"springs": tuple(names)})
+
+
 def axis_losses(robot: RobotModel) -> Iterable[Diagnostic]:
     """Yield the losses of formats in which axes have the order of the file and gravity points down."""
     if list(robot.axes) != sorted(robot.axes):
@@ -29,6 +37,7 @@ def axis_losses(robot: RobotModel) -> Iterable[Diagnostic]:
     if robot.cuts:
         words = f"{len(robot.cuts)} closed chains of `{robot.name}` do not go over"
         yield LOST_MOTION.at(None, words, hint="MJCF holds them")
+    yield from spring_losses(robot)
     if robot.gravity.tolist() != _GRAVITY:
         words = f"gravity of `{robot.name}` does not point down along z of its base frame"
         yield LOST_MOTION.at(None, words, hint=_DOWN_HINT)

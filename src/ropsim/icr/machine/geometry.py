@@ -13,8 +13,10 @@ from ropsim.icr.machine.location import (
     external_part,
     in_frame,
     in_posture,
+    is_free,
     located,
     offset,
+    orientation_free,
     point_of,
     pose_part,
     posture_of,
@@ -147,6 +149,7 @@ def shown(stack: list[Datum], _values: list[Datum], kind: Datum) -> None:
         if kind is Type.POSE and external_part(value):
             stack[-1] += f" external {_listed(external_part(value), _SI_DECIMALS)}"
         if kind is Type.POSE and (request := posture_of(value)) is not None:
+            stack[-1] += " free" if is_free(value) else ""
             stack[-1] += f" config ({', '.join(request.words)})" if request.words else ""
             stack[-1] += f" turns ({', '.join(map(str, request.turns))})" if request.turns else ""
         if kind is Type.POSE and (tag := tag_of(value)) is not None:
@@ -194,6 +197,7 @@ GEOMETRY: dict[str, Handler] = {
     "OFFSET": offset,
     "POSTURE": in_posture,
     "TURNS": with_turns,
+    "ORI.FREE": orientation_free,
     "REFRAME": _make(2, _reframe),
     "INV": _make(1, lambda a: _finite("INV", quaternion.invert(pose_part(a)))),
     "GETPOS": _make(1, lambda pose: pose[:3]),

@@ -10,7 +10,7 @@ import math
 from dataclasses import replace
 from typing import NamedTuple
 
-from ropsim.flow import ListedPoint, PostureRequest
+from ropsim.flow import ListedPoint, PostureRequest, TargetOrientation
 from ropsim.icr.machine.handlers import Datum
 from ropsim.icr.machine.traps import out_of_range
 from ropsim.spatial import Pose, PoseTuple, quaternion
@@ -153,6 +153,18 @@ def with_turns(stack: list[Datum], _values: list[Datum], count: Datum) -> None:
     del stack[-count:]
     request = posture_of(stack[-1]) or PostureRequest()
     stack[-1] = _asking(stack[-1], replace(request, turns=turns))
+
+
+def orientation_free(stack: list[Datum], _values: list[Datum], _operand: Datum) -> None:
+    """ORI.FREE; words of a posture and turns stay."""
+    request = posture_of(stack[-1]) or PostureRequest()
+    stack[-1] = _asking(stack[-1], replace(request, orientation=TargetOrientation.FREE))
+
+
+def is_free(location: Location) -> bool:
+    """Return whether the orientation of a location is free."""
+    request = posture_of(location)
+    return request is not None and request.orientation is TargetOrientation.FREE
 
 
 def _asking(location: Location, request: PostureRequest) -> Location:

@@ -93,11 +93,6 @@ def chain_arrays(robot: Mechanism) -> ChainArrays:
     )
 
 
-def turning_axes(robot: Mechanism) -> Array:
-    """Return 1.0 for axes whose whole turns change no pose of the interface, else 0.0, shape (n,)."""
-    return chain_arrays(robot).turning
-
-
 def tree_of(mechanism: Mechanism) -> JointTree:
     """Return the steps of a mechanism.
 

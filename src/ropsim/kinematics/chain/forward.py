@@ -6,8 +6,9 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays, joint_rows, joint_vector
-from ropsim.kinematics.chain.closure import step_frames
-from ropsim.kinematics.chain.tree_arrays import TreeArrays, moved_steps, tree_arrays
+from ropsim.kinematics.chain.closure import closed_states
+from ropsim.kinematics.chain.linear_loops import without_linear_loops
+from ropsim.kinematics.chain.tree_arrays import TreeArrays, moved_steps, placed_steps, tree_arrays
 from ropsim.model import BASE_LINK, Mechanism
 from ropsim.spatial import Array, Pose
 
@@ -39,9 +40,10 @@ def tool_pose(robot: Mechanism, q: Array, X_MT: Pose) -> Pose:
     from ropsim.kinematics.chain.chain_kernel import POSES
     from ropsim.kinematics.chain.tool_pose_kernel import write_tool_pose
 
-    if robot.cuts or X_MT.is_identity:
+    linear = without_linear_loops(robot)
+    if linear.cuts or X_MT.is_identity:
         return Pose.from_matrix(forward_batch(robot, q[np.newaxis])[0]) @ X_MT
-    chain = chain_arrays(robot)
+    chain = chain_arrays(linear)
     X_BM, room, pose = np.empty((1, 4, 4)), np.empty(POSES), np.empty(7)
     rows = chain.steps(q[np.newaxis])
     write_tool_pose(chain.flat, rows, X_MT.position, X_MT.orientation, X_BM, room, pose)
@@ -61,10 +63,11 @@ def tool_places(robot: Mechanism, Q: Array, tools: Sequence[Pose]) -> Array:
 
     rows = Q.reshape(len(tools), robot.n)
     points = np.concatenate([one.position for one in tools]).reshape(len(tools), 3)
-    if robot.cuts:
+    linear = without_linear_loops(robot)
+    if linear.cuts:
         X_BM = forward_batch(robot, rows)
         return np.asarray((X_BM[:, :3, :3] @ points[:, :, None])[:, :, 0] + X_BM[:, :3, 3])
-    chain = chain_arrays(robot)
+    chain = chain_arrays(linear)
     steps = np.ascontiguousarray(chain.steps(rows))
     write_tool_places(chain.flat, steps, points, np.empty((len(rows), 4, 4)), np.empty(POSES))
     return points
@@ -82,9 +85,10 @@ def forward_batch(robot: Mechanism, Q: npt.ArrayLike) -> Array:
     """
     from ropsim.kinematics.chain.chain_kernel import POSES, forward_rows
 
-    if robot.cuts:
+    linear = without_linear_loops(robot)
+    if linear.cuts:
         return np.ascontiguousarray(frames_batch(robot, Q)[:, -1])
-    chain = chain_arrays(robot)
+    chain = chain_arrays(linear)
     rows = np.ascontiguousarray(chain.steps(joint_rows(robot, Q)))
     out = np.empty((len(rows), 4, 4))
     forward_rows(chain.flat, rows, out, np.empty(POSES))
@@ -107,7 +111,9 @@ def joint_frames(robot: Mechanism, q: npt.ArrayLike) -> Array:
         NotFiniteError: M552, q holds NaN or infinity.
         MechanismError: the mechanism cannot be.
     """
-    frames: Array = _link_frames(tree_arrays(robot), joint_vector(robot, q)[np.newaxis])[0]
+    frames: Array = _link_frames(
+        tree_arrays(without_linear_loops(robot)), joint_vector(robot, q)[np.newaxis]
+    )[0]
     return frames
 
 
@@ -118,7 +124,7 @@ def frames_batch(robot: Mechanism, Q: npt.ArrayLike) -> Array:
         ArrayShapeError: M551, Q has another shape.
         MechanismError: the mechanism cannot be.
     """
-    return _link_frames(tree_arrays(robot), joint_rows(robot, Q))
+    return _link_frames(tree_arrays(without_linear_loops(robot)), joint_rows(robot, Q))
 
 
 def frames_of_steps(robot: Mechanism, Q: npt.ArrayLike) -> Array:
@@ -128,7 +134,7 @@ def frames_of_steps(robot: Mechanism, Q: npt.ArrayLike) -> Array:
         ArrayShapeError: M551, Q has another shape.
         MechanismError: the mechanism cannot be.
     """
-    return step_frames(tree_arrays(robot), joint_rows(robot, Q))
+    return _step_frames(tree_arrays(without_linear_loops(robot)), joint_rows(robot, Q))
 
 
 def frames_of(chain: ChainArrays, rows: Array) -> Array:
@@ -147,9 +153,21 @@ def frames_of(chain: ChainArrays, rows: Array) -> Array:
     return steps
 
 
+def _step_frames(tree: TreeArrays, rows: Array) -> Array:
+    """Return the frames of all steps for axes at rows (k, n), shape (k, m, 4, 4).
+
+    Where a closed chain cannot reach, it is left open.
+    """
+    moved = tree.steps(rows)
+    if tree.loops is not None:
+        n = tree.loops.n
+        moved = moved + closed_states(tree.loops, rows)[0][:, n:] @ tree.loops.spread[:, n:-1].T
+    return placed_steps(tree, moved)
+
+
 def _link_frames(tree: TreeArrays, rows: Array) -> Array:
     """Return the frames of all links and of the interface, shape (k, links + 1, 4, 4)."""
-    frames = step_frames(tree, rows)
+    frames = _step_frames(tree, rows)
     if tree.direct and tree.interface != BASE_LINK:
         last = frames[:, tree.interface] @ tree.X_LM
         return np.concatenate((frames, last[:, np.newaxis]), axis=1)

@@ -4,6 +4,9 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays, joint_rows, joint_vector
+from ropsim.kinematics.chain.closed_arrays import closed_arrays
+from ropsim.kinematics.chain.closed_motion import jacobians_of_loops
+from ropsim.kinematics.chain.linear_loops import without_linear_loops
 from ropsim.kinematics.chain.steps_kernel import frames_and_jacobians
 from ropsim.model import Mechanism
 from ropsim.spatial import Array, Pose
@@ -17,7 +20,8 @@ def jacobian(robot: Mechanism, q: npt.ArrayLike) -> Array:
     V = J(q)·q̇ with V = (velocity of the origin of M [m/s], angular velocity [rad/s]), both in base
     coordinates. Column i is (z_i × (p_M - p_i), z_i) for a revolute joint and (z_i, 0) for a prismatic one
     (Whitney 1972). An axis that moves several joints by couplings has the sum of their columns, each times
-    its factor.
+    its factor; one that moves a closed chain that of all steps of the chain on the way to the interface, each
+    times its derivative by the axis.
 
     Args:
         robot: mechanism with n axes.
@@ -60,7 +64,7 @@ def frame_and_jacobian(robot: Mechanism, q: npt.ArrayLike, X_MT: Pose) -> tuple[
         ArrayShapeError: M551, q has another shape.
         NotFiniteError: M552, q holds NaN or infinity.
     """
-    T, J = _at_rows(chain_arrays(robot), joint_vector(robot, q)[np.newaxis], X_MT.matrix())
+    T, J = _of_robot(robot, joint_vector(robot, q)[np.newaxis], X_MT)
     return T[0], J[0]
 
 
@@ -75,13 +79,20 @@ def jacobians_at(robot: Mechanism, Q: npt.ArrayLike, X_MT: Pose) -> tuple[Array,
     Raises:
         ArrayShapeError: M551, Q has another shape.
     """
-    return _at_rows(chain_arrays(robot), joint_rows(robot, Q), X_MT.matrix())
+    return _of_robot(robot, joint_rows(robot, Q), X_MT)
 
 
 def least_singular_values(chain: ChainArrays, rows: Array) -> Array:
     """Return the least singular value of `jacobian` [m, rad] at configurations (k, n), shape (k,)."""
     _, J = _at_rows(chain, rows, _AT_INTERFACE)
     return np.asarray(np.linalg.svd(J, compute_uv=False)[:, -1])
+
+
+def _of_robot(robot: Mechanism, rows: Array, X_MT: Pose) -> tuple[Array, Array]:
+    linear = without_linear_loops(robot)
+    if linear.cuts:
+        return jacobians_of_loops(closed_arrays(linear), rows, X_MT.matrix())
+    return _at_rows(chain_arrays(linear), rows, X_MT.matrix())
 
 
 def _at_rows(chain: ChainArrays, rows: Array, X_MT: Array) -> tuple[Array, Array]:

@@ -11,18 +11,15 @@ from collections.abc import Iterator
 import numpy as np
 
 from ropsim.core import Diagnostic, plural
-from ropsim.kinematics.chain.closure import closure
-from ropsim.kinematics.chain.tree_arrays import Loops, TreeArrays, tree_arrays
+from ropsim.kinematics.chain.closed_arrays import NUDGE, ClosedArrays
+from ropsim.kinematics.chain.closure import APART, closure
+from ropsim.kinematics.chain.tree_arrays import tree_arrays
 from ropsim.kinematics.diagnostics import LOOP_LOOSE, LOOP_OPEN, LOOP_STUCK
 from ropsim.model import Mechanism
 from ropsim.spatial import Array
 
-APART = 1e-9
-"""Frames that are left farther apart than this are not together [m, rad]."""
 LEAST = 1e-7
 """Slopes whose singular value is below this share of the largest one count as none."""
-NUDGE = 1e-3
-"""How far each axis is moved from home to see whether it can [rad | m]."""
 
 
 def loop_freedom(mechanism: Mechanism) -> tuple[Diagnostic, ...]:
@@ -36,11 +33,11 @@ def loop_freedom(mechanism: Mechanism) -> tuple[Diagnostic, ...]:
         leave coordinates free that no axis moves. Nothing without closed chains.
     """
     tree = tree_arrays(mechanism)
-    return tuple(_found(mechanism, tree, tree.loops)) if tree.loops is not None else ()
+    return tuple(_found(mechanism, tree.loops)) if tree.loops is not None else ()
 
 
-def _found(mechanism: Mechanism, tree: TreeArrays, loops: Loops) -> Iterator[Diagnostic]:
-    left, slopes = closure(tree, loops, mechanism.home)
+def _found(mechanism: Mechanism, loops: ClosedArrays) -> Iterator[Diagnostic]:
+    left, slopes = closure(loops, mechanism.home)
     apart, rank = _most(left), _rank(slopes)
     if apart > APART:
         yield LOOP_OPEN.at(
@@ -51,7 +48,7 @@ def _found(mechanism: Mechanism, tree: TreeArrays, loops: Loops) -> Iterator[Dia
         return
     for number, joint in enumerate(mechanism.axis_joints):
         nudge = NUDGE * np.eye(mechanism.n)[number]
-        beside = [closure(tree, loops, mechanism.home + way * nudge) for way in (1.0, -1.0)]
+        beside = [closure(loops, mechanism.home + way * nudge) for way in (1.0, -1.0)]
         rank = max(rank, *(_rank(other) for _, other in beside))  # the home position may be a dead centre
         if min(_most(rest) for rest, _ in beside) > APART:
             yield LOOP_STUCK.at(
@@ -59,7 +56,7 @@ def _found(mechanism: Mechanism, tree: TreeArrays, loops: Loops) -> Iterator[Dia
                 f"axis `{joint.name}` of `{mechanism.name}` cannot move: closed chains hold it",
                 hint="a cut may hold directions that its joint leaves free",
             )
-    loose = loops.P.shape[1] - rank
+    loose = loops.p - rank
     if loose:
         free = plural(loose, "coordinate")
         yield LOOP_LOOSE.at(

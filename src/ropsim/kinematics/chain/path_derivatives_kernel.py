@@ -95,38 +95,38 @@ def row_derivatives(
     for r in range(3):
         M[9 + r] += M[3 * r] * p_MT[0] + M[3 * r + 1] * p_MT[1] + M[3 * r + 2] * p_MT[2]
     axis_columns(chain, spread, work.frames, columns, work.lanes)
-    free = _invert(active, columns, work.solved, vectors)
+    free = invert(active, columns, work.solved, vectors)
     if free < -1:
         return False
     null, answer, right = vectors[0], vectors[1], vectors[4]
     square = _null_vector(work.solved, vectors, free, n)
     for r in range(6):
         right[r] = d1[r]
-    _solve(work.solved, vectors, n, first)
+    solve_pivots(work.solved, vectors, n, first)
     along = _dot(n, null, first) / square
     for i in range(n):
         first[i] -= along * null[i]
-    _column_changes(chain, spread, work, first)
+    column_changes(chain, spread, work, first)
     for r in range(6):
         total = 0.0
         for i in range(n):
             total += columns[6 + r, i] * null[i]
         right[r] = total
-    _solve(work.solved, vectors, n, answer)
+    solve_pivots(work.solved, vectors, n, answer)
     turned = _dot(n, answer, first)
     for r in range(6):
         total = d2[r]
         for i in range(n):
             total -= columns[6 + r, i] * first[i]
         right[r] = total
-    _solve(work.solved, vectors, n, second)
+    solve_pivots(work.solved, vectors, n, second)
     along = (_dot(n, null, second) - turned) / square
     for i in range(n):
         second[i] -= along * null[i]
-    return _hold(columns, first, second, d1, right)
+    return holds(columns, first, second, d1, right)
 
 
-def _hold(columns: Array, first: Array, second: Array, d1: Array, right: Array) -> bool:
+def holds(columns: Array, first: Array, second: Array, d1: Array, right: Array) -> bool:
     """Return whether both derivatives of the joints lead the tool as they should.
 
     An arm with fewer than six joints follows paths only that are within its reach, and others within the
@@ -143,7 +143,7 @@ def _hold(columns: Array, first: Array, second: Array, d1: Array, right: Array) 
     return True
 
 
-def _invert(active: Array, J: Array, solved: Array, vectors: Array) -> int:
+def invert(active: Array, J: Array, solved: Array, vectors: Array) -> int:
     """Bring the active columns of a Jacobian to unit columns by elimination with full pivoting.
 
     Returns:
@@ -215,7 +215,7 @@ def _null_vector(solved: Array, vectors: Array, free: int, n: int) -> float:
     return square
 
 
-def _solve(solved: Array, vectors: Array, n: int, out: Array) -> None:
+def solve_pivots(solved: Array, vectors: Array, n: int, out: Array) -> None:
     """Write joint rates (n,) that have the tool rates of the right side; of an axis without pivot 0."""
     pivots, right = vectors[2], vectors[4]
     for i in range(n):
@@ -228,7 +228,7 @@ def _solve(solved: Array, vectors: Array, n: int, out: Array) -> None:
             out[int(pivots[r])] = total
 
 
-def _column_changes(chain: Array, spread: Array, work: DerivativeWork, rates: Array) -> None:
+def column_changes(chain: Array, spread: Array, work: DerivativeWork, rates: Array) -> None:
     """Write the derivative of the Jacobian along joint rates (n,) behind the Jacobian.
 
     Frame by frame its velocity v and angular velocity w add up; the axis z of a step changes by w × z.

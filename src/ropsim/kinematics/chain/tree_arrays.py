@@ -4,35 +4,15 @@ from functools import lru_cache
 
 import numpy as np
 
-from ropsim.kinematics.chain.arrays import on_step, tree_of
+from ropsim.kinematics.chain.arrays import tree_of
+from ropsim.kinematics.chain.closed_arrays import ClosedArrays, closed_arrays
 from ropsim.model import (
-    ALL_DIRECTIONS,
     BASE_LINK,
-    JointTree,
     JointType,
     Mechanism,
     placement_matrices,
 )
 from ropsim.spatial import Array, Pose, frozen, record
-
-
-@record
-class Loops:
-    """Closed chains that are cut, and the p coordinates that they determine.
-
-    Attributes:
-        P: coordinates of the steps for those, shape (m, p).
-        home: coordinates of the axes where the search begins [rad | m], shape (n,).
-        carriers: the two steps that each cut holds together, -1 for the base.
-        frames: the two frames in the frames of their steps, shape (cuts, 2, 4, 4).
-        held: directions that are held, 1.0 or 0.0: along x, y, z and about them, shape (cuts, 6).
-    """
-
-    P: Array
-    home: Array
-    carriers: tuple[tuple[int, int], ...]
-    frames: Array
-    held: Array
 
 
 @record
@@ -53,7 +33,7 @@ class TreeArrays:
         direct: whether link i is step i, and its frame that of the step.
         interface: number of the link that carries the interface.
         X_LM: interface in the frame of that link, shape (4, 4).
-        loops: loop data; None without any.
+        loops: its closed chains; None without any.
     """
 
     R: Array
@@ -69,7 +49,7 @@ class TreeArrays:
     direct: bool
     interface: int
     X_LM: Array
-    loops: Loops | None
+    loops: ClosedArrays | None
 
     def steps(self, rows: Array) -> Array:
         """Return coordinates of the steps, shape (count, m), from coordinates of the axes (count, n)."""
@@ -96,25 +76,8 @@ def tree_arrays(mechanism: Mechanism) -> TreeArrays:
         direct=tree.carriers == tuple(range(tree.m)) and not moved,
         interface=mechanism.interface_link,
         X_LM=frozen(mechanism.interface.matrix()),
-        loops=_loops(mechanism, tree),
+        loops=closed_arrays(mechanism) if mechanism.cuts else None,
     )
-
-
-def _loops(mechanism: Mechanism, tree: JointTree) -> Loops | None:
-    if not mechanism.cuts:
-        return None
-    ends = [((cut.first, cut.X_first), (cut.second, cut.X_second)) for cut in mechanism.cuts]
-    return Loops(
-        P=tree.P,
-        home=mechanism.home,
-        carriers=tuple((_carrier(tree, one[0]), _carrier(tree, other[0])) for one, other in ends),
-        frames=frozen([[on_step(tree, link, X).matrix() for link, X in pair] for pair in ends]),
-        held=frozen([[float(one in cut.held) for one in ALL_DIRECTIONS] for cut in mechanism.cuts]),
-    )
-
-
-def _carrier(tree: JointTree, link: int) -> int:
-    return BASE_LINK if link == BASE_LINK else tree.carriers[link]
 
 
 def placed_steps(tree: TreeArrays, moved: Array) -> Array:

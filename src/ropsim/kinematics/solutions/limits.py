@@ -3,10 +3,12 @@
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.kinematics.chain.arrays import joint_vector, turning_axes
+from ropsim.kinematics.chain.arm_arrays import turning_axes
+from ropsim.kinematics.chain.arrays import joint_vector
+from ropsim.kinematics.solutions.followers import follower_limits
 from ropsim.kinematics.solutions.result import NO_AXIS, LimitViolation
 from ropsim.kinematics.solutions.selection_kernel import LIMIT_SLACK
-from ropsim.model import RobotModel, coupled_limits
+from ropsim.model import RobotModel
 from ropsim.spatial import Array
 
 TURN = 2.0 * np.pi
@@ -29,13 +31,14 @@ def turned_to_limits(robot: RobotModel, q: npt.ArrayLike) -> Array:
 def limit_violations(robot: RobotModel, q: npt.ArrayLike) -> tuple[LimitViolation, ...]:
     """Return the joints that are outside their limits in every turn, worst first.
 
-    Joints that follow axes by couplings are checked in the turns of the axes nearest to their limits.
+    Joints that follow axes by couplings or closed chains are checked in the turns of the axes nearest to
+    their limits.
 
     Args:
         robot: arm with n joints.
         q: joint coordinates [rad | m], shape (n,), such as a row of `IkResult.branches`.
     """
-    found, turned, coupled = [], turned_to_limits(robot, q), coupled_limits(robot)
+    found, turned, coupled = [], turned_to_limits(robot, q), follower_limits(robot)
     numbers = (*range(robot.n), *(NO_AXIS for _ in coupled.joints))
     joints = (*robot.axis_joints, *coupled.joints)
     values = (*turned.tolist(), *coupled.values(turned).tolist())

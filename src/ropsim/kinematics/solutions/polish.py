@@ -7,8 +7,10 @@ import numpy.typing as npt
 
 from ropsim.codegen import Compiled, bound
 from ropsim.kinematics.chain import chain_kernel
+from ropsim.kinematics.chain.arm_arrays import ArmArrays
 from ropsim.kinematics.chain.arrays import ChainArrays
-from ropsim.kinematics.solutions import polish_kernel
+from ropsim.kinematics.chain.closed_arrays import ClosedArrays
+from ropsim.kinematics.solutions import closed_polish_kernel, polish_kernel
 from ropsim.spatial import Array, frozen
 
 POSE_SLACK = 1e-9
@@ -28,12 +30,12 @@ PRINCIPAL, CONTINUED, OWN_TURNS = 0.0, 1.0, 2.0
 """How answers follow their starts, see `polish_rows`."""
 
 
-def checked(chain: ChainArrays, T: Array, Q: Array, slack: float = POSE_SLACK) -> Array:
+def checked(chain: ArmArrays, T: Array, Q: Array, slack: float = POSE_SLACK) -> Array:
     """Return Q with NaN in the rows that do not reach their pose; arguments as in `polished`."""
     return _run(chain, T, Q, (0.0, slack, PRINCIPAL))
 
 
-def polished(chain: ChainArrays, T: Array, Q: Array, slack: float = POSE_SLACK) -> Array:
+def polished(chain: ArmArrays, T: Array, Q: Array, slack: float = POSE_SLACK) -> Array:
     """Return joint coordinates that reach their poses, near to those given.
 
     Args:
@@ -48,9 +50,7 @@ def polished(chain: ChainArrays, T: Array, Q: Array, slack: float = POSE_SLACK) 
     return _run(chain, T, Q, (STEPS, slack, PRINCIPAL))
 
 
-def polished_within(
-    chain: ChainArrays, T: Array, Q: Array, bounds: Array, slack: float = POSE_SLACK
-) -> Array:
+def polished_within(chain: ArmArrays, T: Array, Q: Array, bounds: Array, slack: float = POSE_SLACK) -> Array:
     """Return joint coordinates that reach their poses within bounds, near to those given.
 
     Args:
@@ -66,7 +66,7 @@ def polished_within(
     return _run(chain, T, np.clip(Q, *bounds), (BOUNDED_STEPS, slack, OWN_TURNS), bounds)
 
 
-def held_at(chain: ChainArrays, X_BM: Array, starts: Array, joint: int, value: float) -> Array:
+def held_at(chain: ArmArrays, X_BM: Array, starts: Array, joint: int, value: float) -> Array:
     """Return the answers to one pose, found from starts, in which a joint has a value.
 
     Args:
@@ -127,12 +127,12 @@ def refine(kernel: Compiled, chain: ChainArrays, T: Array, Q: Array) -> npt.NDAr
     return lost if lost.any() else None
 
 
-def nearest_to(chain: ChainArrays, T: Array, Q: Array) -> Array:
+def nearest_to(chain: ArmArrays, T: Array, Q: Array) -> Array:
     """Return where the search from Q (k, m, n) for poses T (k, 4, 4) ends, pose reached or not."""
     return _run(chain, T, Q, (STEPS, inf, PRINCIPAL))
 
 
-def continued(chain: ChainArrays, T: Array, q: Array, slack: float = POSE_SLACK) -> Array:
+def continued(chain: ArmArrays, T: Array, q: Array, slack: float = POSE_SLACK) -> Array:
     """Return joint coordinates along a path, each found from the one before it.
 
     Args:
@@ -156,16 +156,23 @@ def unbounded(n: int) -> Array:
 
 
 def _run(
-    chain: ChainArrays,
+    chain: ArmArrays,
     T: Array,
     Q: Array,
     settings: tuple[float, float, float],
     bounds: Array | None = None,
 ) -> Array:
-    m, n = len(chain.slides), chain.n
-    found = np.array(Q)
+    n, found = chain.n, np.array(Q)
     within = unbounded(n) if bounds is None else np.ascontiguousarray(bounds)
-    frames, room, lanes = np.empty((m + 1, 12)), np.zeros((n + 12, max(n, 6))), np.empty((7, m))
+    room = np.zeros((n + 12, max(n, 6)))
+    if isinstance(chain, ClosedArrays):
+        states = np.zeros((Q.shape[1] + 2, n + chain.p))
+        closed_polish_kernel.closed_polish_rows(
+            chain.arm(), chain.turning, T, found, within, np.array(settings), states, room, chain.work()
+        )
+        return found
+    m = len(chain.slides)
+    frames, lanes = np.empty((m + 1, 12)), np.empty((7, m))
     polish_kernel.polish_rows(
         chain.flat, chain.spread, chain.turning, T, found, within, np.array(settings), frames, room, lanes
     )

@@ -73,7 +73,7 @@ def polish_rows(
                 if not found:
                     Q[k, j, i] = float("nan")
                 elif steps > 0 and turning[i] > 0.0 and settings[2] == 0.0:
-                    Q[k, j, i] = _principal(Q[k, j, i])
+                    Q[k, j, i] = principal(Q[k, j, i])
 
 
 def descend(
@@ -97,7 +97,7 @@ def descend(
     e, trial = room[6], room[8]
     spread_over(spread, q, lanes[6])
     place_steps(chain, lanes[6], frames)
-    error = _error(frames[last], X, e)
+    error = pose_error(frames[last], X, e)
     mu, stalls = 1.0, 0
     for _ in range(steps):
         if error <= GOAL or stalls > STALLS:
@@ -105,13 +105,13 @@ def descend(
         axis_columns(chain, spread, frames, room, lanes)
         helped, tried = False, error
         for _ in range(12):
-            longest = _step(room, q, bounds, mu * error)
+            longest = bounded_step(room, q, bounds, mu * error)
             scale = LONGEST_STEP / longest if longest > LONGEST_STEP else 1.0
             for i in range(n):
                 trial[i] = min(max(q[i] + scale * room[7, i], bounds[0, i]), bounds[1, i])
             spread_over(spread, trial, lanes[6])
             place_steps(chain, lanes[6], frames)
-            tried = _error(frames[last], X, room[9])
+            tried = pose_error(frames[last], X, room[9])
             if tried < error:
                 helped = True
                 break
@@ -123,7 +123,7 @@ def descend(
         mu *= 0.1
         for i in range(n):
             q[i] = trial[i]
-        error = _error(frames[last], X, e)
+        error = pose_error(frames[last], X, e)
     if steps > 0 and error <= GOAL:
         _end(chain, spread, X, q, bounds, error, frames, room, lanes, mu * error)
     spread_over(spread, q, lanes[6])
@@ -146,18 +146,18 @@ def _end(
     n, last = q.shape[0], frames.shape[0] - 1
     trial = room[8]
     axis_columns(chain, spread, frames, room, lanes)
-    if not _step(room, q, bounds, damping) > FAR:
+    if not bounded_step(room, q, bounds, damping) > FAR:
         return
     for i in range(n):
         trial[i] = min(max(q[i] + room[7, i], bounds[0, i]), bounds[1, i])
     spread_over(spread, trial, lanes[6])
     place_steps(chain, lanes[6], frames)
-    if _error(frames[last], X, room[9]) < 0.5 * error:
+    if pose_error(frames[last], X, room[9]) < 0.5 * error:
         for i in range(n):
             q[i] = trial[i]
 
 
-def _error(M: Array, X: Array, e: Array) -> float:
+def pose_error(M: Array, X: Array, e: Array) -> float:
     """Write the error e (6,) between frame M (12,) and pose X (4, 4) [m, rad]; return its length."""
     dx, dy, dz = X[0, 3] - M[9], X[1, 3] - M[10], X[2, 3] - M[11]
     # Entries of the rotation that is missing, R_T·Rᵀ:
@@ -183,7 +183,7 @@ def _error(M: Array, X: Array, e: Array) -> float:
     return sqrt(dx * dx + dy * dy + dz * dz + vx * vx + vy * vy + vz * vz)
 
 
-def _step(room: Array, q: Array, bounds: Array, damping: float) -> float:
+def bounded_step(room: Array, q: Array, bounds: Array, damping: float) -> float:
     """Solve (JᵀJ + λ·1)·Δq = Jᵀe within the bounds; return the largest |Δq|.
 
     Joints that the solution moves beyond a bound go to that bound, and the others make up for it.
@@ -258,7 +258,7 @@ def entry_errors(M: Array, X: Array) -> float:
     return total
 
 
-def _principal(q: float) -> float:
+def principal(q: float) -> float:
     """Return an angle in (-π, π] [rad]."""
     q -= 2.0 * pi * ceil((q - pi) * (0.5 / pi))
     return q if -pi < q < pi else pi  # rounding may leave ±π a bit outside

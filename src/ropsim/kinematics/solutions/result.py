@@ -70,7 +70,8 @@ class LimitViolation:
     """A joint that a branch needs outside its limits.
 
     Attributes:
-        joint: index of the axis from 0; `NO_AXIS` for a joint that follows axes by a coupling.
+        joint: index of the axis from 0; `NO_AXIS` for a joint that follows axes by a coupling
+            or a closed chain.
         model: the joint itself.
         value: coordinate of the branch, in the turn nearest to the limits [rad | m].
         limit: the limit that it passes [rad | m].

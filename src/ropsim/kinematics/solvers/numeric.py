@@ -5,8 +5,9 @@ from typing import ClassVar
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays
-from ropsim.kinematics.chain.forward import frames_of
+from ropsim.kinematics.chain.arm_arrays import ArmArrays, arm_arrays, interface_poses
+from ropsim.kinematics.chain.arrays import ChainArrays
+from ropsim.kinematics.chain.closed_arrays import ClosedArrays
 from ropsim.kinematics.solutions.configurations import configurations, spread_between
 from ropsim.kinematics.solutions.polish import POSE_SLACK, TASK_SLACK, nearest_to, polished, polished_within
 from ropsim.kinematics.solutions.result import IkStatus, Miss, Posture, Shortfall
@@ -18,6 +19,8 @@ from ropsim.spatial import Array, frozen, record
 
 STARTS = 64
 """Starts that fill the range of the joints evenly, in addition to the caller's `near` and zeros."""
+CLOSED_STARTS = 12
+"""The same for arms with closed chains, whose steps take ten times as long, in addition to home."""
 FURTHER = 512
 """Starts of a search within the limits for poses without an answer there."""
 ROWS = 16
@@ -39,7 +42,7 @@ class NumericSolver:
         limits: lower and upper limits of the joints [rad | m], shape (2, n).
     """
 
-    chain: ChainArrays
+    chain: ArmArrays
     starts: Array
     limits: Array
 
@@ -87,7 +90,9 @@ class NumericSolver:
 
     def shortfall(self, X_BM: Array) -> Shortfall:
         """Return how far the nearest pose is that was found; out of reach only beyond all links in a line."""
-        sure = self.chain.parallel and not may_reach(self.chain, X_BM[np.newaxis], self._strokes())[0]
+        chain, sure = self.chain, False
+        if isinstance(chain, ChainArrays) and chain.parallel:
+            sure = not may_reach(chain, X_BM[np.newaxis], self._strokes(chain))[0]
         status = IkStatus.OUT_OF_REACH if sure else IkStatus.NOT_FOUND
         return Shortfall(status, miss=self.miss(X_BM))
 
@@ -95,17 +100,17 @@ class NumericSolver:
         """Return how far the nearest pose is that was found."""
         n = self.chain.n
         ends = nearest_to(self.chain, X_BM[np.newaxis], self.starts[np.newaxis])[0]
-        poses = frames_of(self.chain, ends)[:, -1]
+        poses = interface_poses(self.chain, ends)
         distances = np.linalg.norm(poses[:, :3, 3] - X_BM[:3, 3], axis=1)
         angles = np.array([angle_of_turn(pose, X_BM) for pose in poses])
         best = int(np.argmin(np.hypot(distances, angles)))
         few = f"{n} joint{'s' if n > 1 else ''} cannot take every pose, and the" if n < 6 else "the"
         return Miss(f"{few} nearest one was found numerically", float(distances[best]), float(angles[best]))
 
-    def _strokes(self) -> float:
+    def _strokes(self, chain: ChainArrays) -> float:
         """Return how far all sliding joints together may be from where they begin [m]."""
-        farthest = np.abs(self.limits + self.chain.offset).max(axis=0)
-        return float(farthest[self.chain.slides > 0.0].sum())
+        farthest = np.abs(self.limits + chain.offset).max(axis=0)
+        return float(farthest[chain.slides > 0.0].sum())
 
     def _within(self, X_BM: Array, starts: Array) -> Array:
         """Return answers to a pose (1, 4, 4) within the limits, shape (m, n); none where none was found."""
@@ -149,9 +154,13 @@ def distinct(answers: Array, near: Array, turning: Array, most: int = ROWS, same
 
 def numeric(robot: RobotModel) -> NumericSolver:
     """Return the numeric solver of an arm, of any kind."""
-    starts = np.vstack((configurations(robot, STARTS), np.zeros(robot.n)))
+    arrays = arm_arrays(robot)
+    if isinstance(arrays, ClosedArrays):
+        starts = np.vstack((robot.home, configurations(robot, CLOSED_STARTS)))
+    else:
+        starts = np.vstack((configurations(robot, STARTS), np.zeros(robot.n)))
     limits = np.stack((robot.lower_limits, robot.upper_limits))
-    return NumericSolver(chain_arrays(robot), frozen(starts), frozen(limits))
+    return NumericSolver(arrays, frozen(starts), frozen(limits))
 
 
 def may_reach(chain: ChainArrays, T: Array, strokes: float = 0.0) -> npt.NDArray[np.bool_]:

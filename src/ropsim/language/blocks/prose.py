@@ -10,7 +10,7 @@ from ropsim.language.findings import syntax as kinds
 from ropsim.language.report import Report, finding_of
 from ropsim.language.syntax.fault import Fault
 from ropsim.language.syntax.line import parse_line
-from ropsim.language.syntax.nodes import Binary, External, Function, Item, Member, Name, Rebase, Tuple
+from ropsim.language.syntax.nodes import Binary, External, Free, Function, Item, Member, Name, Rebase, Tuple
 from ropsim.language.syntax.other_languages import HINTS
 from ropsim.language.syntax.statements import (
     Broken,
@@ -209,7 +209,7 @@ def _is_computed(item: Item) -> bool:
     value = item.value
     if isinstance(value, Binary):
         return value.op not in ("and", "or")
-    return item.name is not None or isinstance(value, Tuple | Rebase | External | Member | Function)
+    return item.name is not None or isinstance(value, Tuple | Rebase | External | Free | Member | Function)
 
 
 def _is_near(a: str, b: str) -> bool:

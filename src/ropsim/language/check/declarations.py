@@ -102,7 +102,10 @@ def world(
     )
     for name, X_BL in environment.locations.items():
         X_KF = quaternion.compose(X_KB, environment.given.get(name, fold.IDENTITY))
-        symbols[name] = _location(environment.located.get(name, ""), X_KB, X_BL, X_KF)
+        found = _location(environment.located.get(name, ""), X_KB, X_BL, X_KF)
+        if name in environment.free:
+            found = replace(found, expression=fold.with_free_orientation(found.expression))
+        symbols[name] = found
     symbols.update(environment.signals)
     count = _declare_all(result, _Tables(symbols, tools, names), top, report, tasks)
     for name, symbol in symbols.items():

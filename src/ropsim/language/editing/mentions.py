@@ -163,7 +163,12 @@ def _read(node: Node | None) -> Iterator[Mention]:
     match node:
         case Name():
             yield Mention(node, Part.READ)
-        case nodes.Unary(operand=inner) | nodes.State(operand=inner) | nodes.Member(operand=inner):
+        case (
+            nodes.Unary(operand=inner)
+            | nodes.State(operand=inner)
+            | nodes.Member(operand=inner)
+            | nodes.Free(operand=inner)
+        ):
             yield from _read(inner)
         case nodes.Index():
             yield from _read(node.operand)

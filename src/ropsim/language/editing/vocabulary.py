@@ -6,6 +6,7 @@ from ropsim.language.syntax.readers.declarations import TYPES
 from ropsim.language.syntax.words import (
     END,
     EXTERNAL,
+    FREE,
     HEADS,
     INSIDE,
     MOTION_MODIFIERS,
@@ -28,7 +29,7 @@ RESERVED_WORDS = RESERVED | NOT_YET | {END}
 NO_LIST_NAMES = RESERVED_WORDS | MOTION_MODIFIERS | frozenset(INSIDE)
 """Words that no list of points may have as its name: behind `along` some of them go on with the motion."""
 
-LOCATION_WORDS = frozenset([EXTERNAL])
+LOCATION_WORDS = frozenset([EXTERNAL, FREE])
 """Words that stand behind a location only and may be names elsewhere."""
 
 BEHIND_TARGETS = MOTION_MODIFIERS

@@ -47,14 +47,14 @@ def _is_literal(node: object) -> bool:
     match node:
         case nodes.Tuple():
             return len(node.items) >= 3
-        case nodes.Rebase(operand=inner) | nodes.External(operand=inner):
+        case nodes.Rebase(operand=inner) | nodes.External(operand=inner) | nodes.Free(operand=inner):
             return _is_literal(inner)
     return False
 
 
-def _nodes(node: object) -> Iterator[nodes.Tuple | nodes.Rebase | nodes.External]:
+def _nodes(node: object) -> Iterator[nodes.Tuple | nodes.Rebase | nodes.External | nodes.Free]:
     """Yield the nodes of a statement that may be literal locations, outer ones first."""
-    if isinstance(node, nodes.Tuple | nodes.Rebase | nodes.External):
+    if isinstance(node, nodes.Tuple | nodes.Rebase | nodes.External | nodes.Free):
         yield node
     parts = [getattr(node, one.name) for one in fields(node)] if is_dataclass(node) else node
     if isinstance(parts, list | tuple):

@@ -8,9 +8,9 @@ from ropsim.language.syntax.words import MOTION_MODIFIERS, RESERVED
 
 _CONTEXTUAL = MOTION_MODIFIERS | frozenset(
     [
-        "via", "external", "speed", "acc", "blend", "fine", "tool", "frame", "p", "from", "step", "order",
-        "grid", "each", "off", "on", "rpy", "quat", "rotvec", "euler", "pitch", "roll", "yaw", "rx", "ry",
-        "rz", "like", "config", "turns", "after", "before",
+        "via", "external", "free", "speed", "acc", "blend", "fine", "tool", "frame", "p", "from", "step",
+        "order", "grid", "each", "off", "on", "rpy", "quat", "rotvec", "euler", "pitch", "roll", "yaw", "rx",
+        "ry", "rz", "like", "config", "turns", "after", "before",
     ]
 )  # fmt: skip
 """Words that are names or not, depending on their place; blanks behind them are kept."""

@@ -10,6 +10,7 @@ from ropsim.language.syntax.lexer import LARGEST, number_parts, number_value, te
 from ropsim.language.syntax.nodes import (
     Binary,
     External,
+    Free,
     Function,
     Index,
     Item,
@@ -27,7 +28,7 @@ from ropsim.language.syntax.nodes import (
     Turn,
     Unary,
 )
-from ropsim.language.syntax.words import EXTERNAL, RESERVED
+from ropsim.language.syntax.words import EXTERNAL, FREE, RESERVED
 
 _COMPARISONS = {"=": "=", "==": "==", "<>": "<>", "!=": "<>", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
 _SUMS = frozenset(("+", "-", "above", "offset", "rel"))
@@ -49,9 +50,9 @@ _TURN_COUNTS = {
     "rz": 1,
     "down": 0,
 }
-_TERM_WORDS = frozenset((*_TURN_COUNTS, "like", "config", "turns"))
+_TERM_WORDS = frozenset((*_TURN_COUNTS, "like", "config", "turns", FREE))
 _OPERATORS = frozenset(
-    (*_COMPARISONS, *_SUMS, *_TERMS, "in", "@", EXTERNAL, "is", "rising", "falling", "and", "or")
+    (*_COMPARISONS, *_SUMS, *_TERMS, "in", "@", EXTERNAL, FREE, "is", "rising", "falling", "and", "or")
 )
 """Words and signs by which an expression goes on behind a value."""
 _OF_NAMES = frozenset(".[")
@@ -136,6 +137,9 @@ def _summed(cursor: Cursor, left: Node) -> Node:
             left = Rebase(left, frame, left.start, frame.end)
         elif word == EXTERNAL:
             left = _external(cursor, left)
+        elif word == FREE:
+            cursor.count_operator()
+            left = Free(left, left.start, cursor.advance().end)
         else:
             return left
 
@@ -335,10 +339,10 @@ def _terms(cursor: Cursor) -> tuple[tuple[Turn, ...], Posture | None]:
     start = cursor.start
     turns: list[Turn] = []
     words: tuple[Name, ...] = ()
-    numbers: tuple[Node, ...] = ()
+    numbers, is_free = tuple[Node, ...](), False
     while True:
         word = cursor.word
-        if (word == "config" and words) or (word == "turns" and numbers):
+        if (word == "config" and words) or (word == "turns" and numbers) or (word == FREE and is_free):
             cursor.fail("another term", f"`{word}` stands once in a location")
         if word == "config":
             words = _config(cursor)
@@ -347,13 +351,16 @@ def _terms(cursor: Cursor) -> tuple[tuple[Turn, ...], Posture | None]:
             cursor.open_parenthesis()
             numbers = listed(cursor)
             cursor.close_parenthesis()
+        elif word == FREE:
+            is_free = cursor.accept(FREE)
         else:
             turns.append(_turn(cursor))
         if not cursor.accept(","):
             if cursor.word in _TERM_WORDS or cursor.word == ";":
                 cursor.fail("`,` or `)`", "write `,` between parts of an orientation: `; roll 0, pitch 60`")
             break
-    posture = Posture(words, numbers, start, cursor.end) if words or numbers else None
+    has_any = bool(words or numbers or is_free)
+    posture = Posture(words, numbers, is_free, start, cursor.end) if has_any else None
     return tuple(turns), posture
 
 
@@ -377,7 +384,7 @@ def _turn(cursor: Cursor) -> Turn:
         pose = postfix(cursor)
         return Turn(word, "", (), pose, token.start, cursor.end)
     if word not in _TURN_COUNTS:
-        allowed = [*_TURN_COUNTS, "like", "config", "turns"]
+        allowed = [*_TURN_COUNTS, "like", "config", "turns", FREE]
         is_word = token.kind == "word"
         hint = did_you_mean(token.text, allowed) if is_word else "say which angles: `rpy ROLL PITCH YAW`"
         cursor.fail("an orientation (`" + "`, `".join(allowed) + "`)", hint)

@@ -83,6 +83,15 @@ class External:
 
 
 @frozen_dataclass
+class Free:
+    """`operand free`: a location whose orientation is free."""
+
+    operand: "Node"
+    start: int
+    end: int
+
+
+@frozen_dataclass
 class State:
     """`operand is [not] on|off|true|false`."""
 
@@ -138,10 +147,11 @@ class Turn:
 
 @frozen_dataclass
 class Posture:
-    """`config (word, …)` and `turns (n, …)` of a location."""
+    """`config (word, …)`, `turns (n, …)` and `free` of a location."""
 
     words: tuple[Name, ...]
     turns: tuple["Node", ...]
+    is_free: bool
     start: int
     end: int
 
@@ -196,6 +206,7 @@ Node = (
     | Binary
     | Rebase
     | External
+    | Free
     | State
     | Function
     | Tuple

@@ -128,13 +128,16 @@ SETTINGS = ("speed", "acc", "blend", "fine", "tool", "frame")
 
 INSIDE = (
     "speed", "acc", "blend", "fine", "tool", "frame", "angle", "at", "after", "before", "do", "until",
-    "timeout", "store", "external", "above", "offset", "rel", "then", "else", "step", "via", "config",
+    "timeout", "store", "external", "free", "above", "offset", "rel", "then", "else", "step", "via", "config",
     "turns",
 )  # fmt: skip
 """Words behind the beginning of a statement worth suggesting for a misspelt one."""
 
 EXTERNAL = "external"
 """Stands behind a location, before the values of external axes; elsewhere it may be a name."""
+
+FREE = "free"
+"""Stands behind a location, or among its terms: its orientation is free; elsewhere it may be a name."""
 
 NOT_YET = frozenset(
     [

@@ -87,6 +87,10 @@ LOCATIONS: dict[str, Word] = {
     "external": Word(
         "location external (e1, …)", "The location with the external axes at these values, E1 first."
     ),
+    "free": Word(
+        "location free",
+        "Its position counts: the tool keeps its orientation, or with fewer than six axes turns along.",
+    ),
 }
 
 MOTIONS: dict[str, Word] = {
@@ -129,6 +133,7 @@ TURNS: dict[str, Word] = {
     "like": Word("like location", "The orientation of another location."),
     "pitch": Word("pitch a", "0 is level, 90° straight down."),
     "roll": Word("roll a", "Turn about the approach direction."),
+    "free": Word("free", "The orientation is free: the position counts."),
     "config": Word("config (left, up)", "In which posture the arm reaches the location."),
     "turns": Word("turns (0, -1)", "In which whole turn the axes are there, from the first one on."),
     "yaw": Word("yaw a", "Takes the place of the point's azimuth."),

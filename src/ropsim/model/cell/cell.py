@@ -64,6 +64,7 @@ class Cell:
         locations: named points (tool poses X_WT) by name; of one that is given in a frame that moves X_KT.
         located: names of the frames that move in which locations are given, by the name of the location.
         given: names of the frames that stand still in which locations are expressed, by location.
+        free: names of the locations whose orientation is free.
         parts: graspable parts.
         objects: fixed objects.
         sinks: where parts leave.
@@ -96,6 +97,7 @@ class Cell:
     tools: tuple[str, ...] = ()
     given: Mapping[str, str] = field(default_factory=dict)
     clearance: float = 0.0
+    free: frozenset[str] = frozenset()
 
     def __post_init__(self) -> None:
         check_ranges(f"cell `{self.name}`", _numbered(self))

@@ -58,6 +58,8 @@ class Station:
                 "controller.path.": controller.path,
                 "controller.correction.": controller.correction,
                 "controller.look_ahead.": controller.look_ahead,
+                "controller.sensors.": controller.sensors,
+                **{f"controller.sensors.{one.quantity}.": one for one in controller.sensors.sensors},
             },
         )
 

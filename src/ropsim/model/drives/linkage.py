@@ -65,6 +65,11 @@ class Linkage:
         length = self.length_at(q)
         return self.product * sin(q + self.angle) / length if length > 0.0 else 0.0
 
+    def slope_at(self, q: float) -> float:
+        """Return dG/dq [m/rad²] at a coordinate [rad]; 0 where the pins meet."""
+        length, ratio = self.length_at(q), self.ratio_at(q)
+        return (self.product * cos(q + self.angle) - ratio * ratio) / length if length > 0.0 else 0.0
+
     def out_at(self, q: float) -> float:
         """Return by how much the rod of the cylinder is out [m] at a coordinate [rad]."""
         return self.length_at(q) - self.retracted_length

@@ -1,4 +1,4 @@
-"""Errors of the joints, axes, couplings and loops of a mechanism (codes X828 to X839)."""
+"""Errors of the joints, axes, couplings and loops of a mechanism (codes X828 to X839, X977)."""
 
 from ropsim.core import Severity, define
 
@@ -109,6 +109,21 @@ coupled, would constrain it twice.
 """,
 )
 
+BAD_SPRING = define(
+    "X977",
+    "impossible-spring",
+    Severity.ERROR,
+    "a spring has a number that no spring can have, or is fastened to nothing",
+    """
+A `Spring` is fastened to points of two different bodies of its mechanism, the base or links; a `JointSpring`
+acts on one coordinate of a joint, counted from 0 joint by joint. Stiffness, damping and free length are 0 or
+more: a negative stiffness would push away from rest, a negative damping would drive the motion.
+
+Look for a sign, or for the number of the link: links are numbered from 0 in the model; messages count them
+from 1, and 0 is the base.
+""",
+)
+
 MIXED_AXES = define(
     "X829",
     "external-axis-coupled-to-arm",
@@ -138,9 +153,8 @@ LOOP_NOT_SIMULATED = define(
     Severity.ERROR,
     "a closed chain that is cut can be placed, but not moved by a controller yet",
     """
-The bodies of closed chains with `LoopCut`s are placed and drawn, their passive coordinates found from the
-axes. Jacobian, inverse kinematics and equations of motion of such a mechanism are not computed, so it cannot
-be simulated. A chain whose coordinates are linear functions of the axes, such as a parallelogram, is
-described by couplings and simulated exactly.
+The bodies of closed chains with `LoopCut`s are placed, their passive coordinates found from the axes, and
+the arm has Jacobian and inverse kinematics. A chain whose coordinates are linear functions of the axes, such
+as a parallelogram, is described by couplings and simulated exactly.
 """,
 )

@@ -7,6 +7,8 @@ from ropsim.model.drives.drive import Drive
 from ropsim.model.geometry.elements import Shape
 from ropsim.model.mechanism.links import BASE_LINK, PREVIOUS, Coupling, Joint, Link, LoopCut
 from ropsim.model.mechanism.number_check import check_finite, check_numbers
+from ropsim.model.mechanism.spring_numbers import check_springs
+from ropsim.model.mechanism.springs import JointSpring, Spring
 from ropsim.spatial import Array, Pose, frozen, record
 
 
@@ -32,9 +34,12 @@ class Mechanism:
         gravity: acceleration of free fall in the base frame [m/s²], shape (3,).
         origins: where the numbers come from.
         base_shapes: shapes of the fixed part, in the base frame.
+        springs: with dampers, between points of two bodies.
+        joint_springs: with dampers, on coordinates of joints.
 
     Raises:
-        ModelValueError: a limit, mass, inertia or placement is not finite, or not positive where it must be.
+        ModelValueError: a limit, mass, inertia, placement or spring is not finite, or not positive where it
+            must be.
     """
 
     name: str
@@ -49,6 +54,8 @@ class Mechanism:
     gravity: Array = field(default_factory=lambda: frozen([0.0, 0.0, -9.81]))
     origins: tuple[ParameterOrigin, ...] = ()
     base_shapes: tuple[Shape, ...] = ()
+    springs: tuple[Spring, ...] = ()
+    joint_springs: tuple[JointSpring, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "home", frozen(self.home))
@@ -56,6 +63,7 @@ class Mechanism:
         object.__setattr__(self, "joints", serial(self.joints))
         object.__setattr__(self, "axes", self.axes or _free_joints(self))
         check_numbers(self.joints, self.links, self.axes, self.drives)
+        check_springs(self.springs, self.joint_springs)
         check_finite(f"the home position of `{self.name}`", self.home.tolist())
         check_finite(f"the gravity of `{self.name}`", self.gravity.tolist())
 

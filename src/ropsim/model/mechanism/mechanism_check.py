@@ -9,6 +9,7 @@ from ropsim.model.findings.diagnostics import COUNT_MISMATCH, HOME_OUT_OF_RANGE
 from ropsim.model.mechanism.coupling_check import coupling_findings
 from ropsim.model.mechanism.loop_check import loop_findings
 from ropsim.model.mechanism.mechanism import Mechanism
+from ropsim.model.mechanism.spring_check import spring_findings
 from ropsim.model.mechanism.tree_check import axis_findings, external_findings, name_findings, parent_findings
 
 
@@ -62,14 +63,14 @@ def mechanism_findings(mechanism: Mechanism) -> tuple[Diagnostic, ...]:
 
 @lru_cache(maxsize=256)
 def tree_findings(mechanism: Mechanism) -> tuple[Diagnostic, ...]:
-    """Return the errors in joints, axes, couplings and loops; without errors kinematics is defined."""
+    """Return the errors in joints, axes, couplings, loops, springs; without errors kinematics is defined."""
     tree = (
         *name_findings(mechanism),
         *parent_findings(mechanism),
         *axis_findings(mechanism),
         *external_findings(mechanism),
     )
-    return tree or (*coupling_findings(mechanism), *loop_findings(mechanism))
+    return tree or (*coupling_findings(mechanism), *loop_findings(mechanism), *spring_findings(mechanism))
 
 
 def _counts(mechanism: Mechanism) -> Iterator[Diagnostic]:

@@ -11,6 +11,7 @@ from ropsim.model.drives.drive import Drive
 from ropsim.model.mechanism.links import BASE_LINK, Coupling, Joint, LoopCut
 from ropsim.model.mechanism.mechanism import Mechanism, first_coordinates
 from ropsim.model.mechanism.mechanism_check import check_counts
+from ropsim.model.mechanism.springs import JointSpring, Spring
 from ropsim.model.robots.robot import RobotModel
 from ropsim.spatial import Pose, frozen
 
@@ -53,6 +54,8 @@ def on_track(arm: RobotModel, track: Mechanism, X_LB: Pose = _HERE) -> RobotMode
         axes=(*(number + count for number in arm.axes), *track.axes),
         couplings=(*track.couplings, *(_shifted(one, first) for one in arm.couplings)),
         cuts=(*track.cuts, *(_recut(cut, count, carrier, X_CB) for cut in arm.cuts)),
+        springs=(*track.springs, *(_refastened(one, count, carrier, X_CB) for one in arm.springs)),
+        joint_springs=(*track.joint_springs, *(_moved(one, first) for one in arm.joint_springs)),
         gravity=track.gravity,
         origins=(*arm.origins, *track.origins),
         base_shapes=base_shapes,
@@ -90,6 +93,8 @@ def beside(arm: RobotModel, positioner: Mechanism, X_BP: Pose) -> RobotModel:
         axes=(*arm.axes, *(number + count for number in positioner.axes)),
         couplings=(*arm.couplings, *(_shifted(one, first) for one in positioner.couplings)),
         cuts=(*arm.cuts, *(_recut(cut, count, BASE_LINK, X_BP) for cut in positioner.cuts)),
+        springs=(*arm.springs, *(_refastened(one, count, BASE_LINK, X_BP) for one in positioner.springs)),
+        joint_springs=(*arm.joint_springs, *(_moved(one, first) for one in positioner.joint_springs)),
         origins=(*arm.origins, *positioner.origins),
         base_shapes=(*arm.base_shapes, *seat),
         external=(*arm.external, *range(arm.n, arm.n + positioner.n)),
@@ -126,6 +131,21 @@ def _recut(cut: LoopCut, count: int, carrier: int, X: Pose) -> LoopCut:
         (cut.second + count, cut.X_second) if cut.second != BASE_LINK else (carrier, X @ cut.X_second)
     )
     return replace(cut, first=first, X_first=X_first, second=second, X_second=X_second)
+
+
+def _refastened(spring: Spring, count: int, carrier: int, X: Pose) -> Spring:
+    """Return a spring of links `count` places later in the list; its end on the base is at X on a carrier."""
+    link_1, point_1 = spring.link_1 + count, spring.point_1
+    link_2, point_2 = spring.link_2 + count, spring.point_2
+    if spring.link_1 == BASE_LINK:
+        link_1, point_1 = carrier, X.position + X.rotation() @ point_1
+    if spring.link_2 == BASE_LINK:
+        link_2, point_2 = carrier, X.position + X.rotation() @ point_2
+    return replace(spring, link_1=link_1, point_1=point_1, link_2=link_2, point_2=point_2)
+
+
+def _moved(spring: JointSpring, first: int) -> JointSpring:
+    return replace(spring, coordinate=spring.coordinate + first)
 
 
 def _drives(arm: Mechanism, other: Mechanism) -> tuple[Drive, ...]:

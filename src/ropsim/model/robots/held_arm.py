@@ -74,6 +74,8 @@ def held_arm(robot: RobotModel) -> HeldArm:
         axes=tuple(places[robot.axes[k]] for k in axes),
         couplings=tuple(_couplings(robot, kept)),
         cuts=(),
+        springs=(),
+        joint_springs=(),
         tip=places[robot.tip],
         external=(),
     )

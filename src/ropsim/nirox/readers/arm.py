@@ -11,12 +11,14 @@ from ropsim.model import (
     Coupling,
     DhRow,
     Drive,
+    JointSpring,
     JointType,
     LoopCut,
     OriginKind,
     ParameterOrigin,
     PublishedPathLimits,
     RobotModel,
+    Spring,
     number_findings,
 )
 from ropsim.nirox.building import FurtherFrame
@@ -27,6 +29,7 @@ from ropsim.nirox.readers.joints import Joints
 from ropsim.nirox.readers.mechanism import Mechanism
 from ropsim.nirox.readers.number_places import places_of
 from ropsim.nirox.readers.seen import Seen
+from ropsim.nirox.readers.springs import read_joint_springs, read_springs
 from ropsim.spatial import Pose, frozen
 
 _KINDS = tuple(kind.value for kind in OriginKind)
@@ -63,6 +66,8 @@ def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...
     home = frozen([joints.home(number, states) for number in axes])
     drives: tuple[Drive, ...] = seen.attempt(partial(read_drives, seen, mechanism, joints.joints, axes), ())
     couplings: tuple[Coupling, ...] = seen.attempt(partial(read_couplings, seen, mechanism), ())
+    springs: tuple[Spring, ...] = seen.attempt(partial(read_springs, seen, mechanism), ())
+    on_joints: tuple[JointSpring, ...] = seen.attempt(partial(read_joint_springs, seen, mechanism), ())
     gravity = frozen(seen.reals(arm, "gravity"))
     dh: tuple[DhRow, ...] = seen.attempt(partial(read_dh_table, seen, mechanism), ())
     external: tuple[int, ...] = seen.attempt(partial(read_external, seen, pairs), ())
@@ -84,6 +89,8 @@ def read_arm(seen: Seen, name: str) -> tuple[RobotModel, tuple[FurtherFrame, ...
         axes=tuple(axes),
         couplings=couplings,
         cuts=cuts,
+        springs=springs,
+        joint_springs=on_joints,
         gravity=gravity,
         origins=(*_origins(seen), *_estimates(joints.estimated, name)),
         base_shapes=base_shapes,

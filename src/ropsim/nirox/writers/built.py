@@ -6,6 +6,7 @@ from ropsim.nirox.building import Building, FurtherFrame
 from ropsim.nirox.writers.arm import arm_losses, write_arm, write_origins
 from ropsim.nirox.writers.bodies import write_bodies, write_looks
 from ropsim.nirox.writers.drives import drive_losses, write_drives
+from ropsim.nirox.writers.springs import write_springs
 
 
 @frozen_without_equality
@@ -32,6 +33,7 @@ def built(robot: RobotModel, frames: tuple[FurtherFrame, ...] = ()) -> Built:
     writing = write_arm(building, robot, frames)
     write_bodies(building, robot)
     write_drives(building, robot)
+    write_springs(building, robot)
     write_looks(building, robot)
     write_origins(building, robot)
     losses = (*writing.losses(), *drive_losses(robot), *arm_losses(robot))

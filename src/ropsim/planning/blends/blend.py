@@ -159,7 +159,7 @@ def blend_between(chain: MotionChain, before: PlannedMove, behind: PlannedMove) 
             traced = follow_path(chain, between, ends[0].q[0], before.move, along)
             if isinstance(traced, Refusal):
                 return Stop.UNREACHABLE
-            joints = joined_to(chain, between, traced[0], ends, before.planned.X_MT, along)
+            joints = joined_to(chain, between, traced[0], ends, before.planned, along)
             return (
                 CartesianBlend(achieved, s_leave, s_enter, between, joints, along)
                 if joints

@@ -3,14 +3,15 @@
 import numpy as np
 
 from ropsim.flow import JointSamples, PoseSetpoints
-from ropsim.kinematics import inverse_near
+from ropsim.kinematics import inverse_near, points_near, spare_joints
 from ropsim.motion import JointPath, JointPoints, ToolPath, end_of, sampled_with_error
 from ropsim.planning.moves.interpolator import StandardInterpolator
 from ropsim.planning.moves.inverse_transform import has_named_branches
 from ropsim.planning.records.coordination import Coordination
 from ropsim.planning.records.motion_chain import MotionChain
+from ropsim.planning.records.planned_path import Counts, PlannedPath
 from ropsim.planning.records.sampling import SMOOTH
-from ropsim.spatial import Array, Pose
+from ropsim.spatial import Array
 
 _FEWEST, _MOST = 64, 16
 """Samples of a short path of this kind, and how many times more it may need."""
@@ -25,7 +26,7 @@ def joined_to(
     path: ToolPath,
     joints: JointPath,
     ends: tuple[JointPoints, JointPoints],
-    X_MT: Pose,
+    planned: PlannedPath,
     along: Coordination | None,
 ) -> JointPath | None:
     """Return a blend, or a curve of moves, that joins the adjacent moves smoothly.
@@ -40,13 +41,14 @@ def joined_to(
         path: of the tool in the base frame, or in that of the coordination.
         joints: its path in joint space, followed from its start.
         ends: the adjacent moves at its begin and end, as derivatives by the path parameter.
-        X_MT: the tool.
+        planned: the plan of a move next to it, with the tool.
         along: external axes that go along; None where they stand.
 
     Returns:
         the path; None where it would end in another posture or the poses cannot be kept.
     """
-    if has_named_branches(chain.robot):
+    X_MT, counts_points = planned.X_MT, planned.counts is Counts.POINT
+    if not spare_joints(chain.robot, X_MT) if counts_points else has_named_branches(chain.robot):
         return joints if np.abs(ends[1].q[0] - end_of(joints)).max() <= SAME_JOINTS else None
     length, own = path.length, joints.joints(np.array([0.0, path.length]))
     missing = [
@@ -63,7 +65,11 @@ def joined_to(
         near = joints.joints(s).q + np.vander(r, 6, increasing=True) @ added
         setpoints = PoseSetpoints(length, path.tool(s).matrices)
         matrices = (along.in_base(setpoints) if along else setpoints).matrices
-        q = inverse_near(chain.robot, matrices @ X_MT.inverse().matrix(), near)
+        q = (
+            points_near(chain.robot, X_MT, matrices[:, :3, 3], near)
+            if counts_points
+            else inverse_near(chain.robot, matrices @ X_MT.inverse().matrix(), near)
+        )
         if not np.abs(q - near).max() < _FAR:  # true for NaN
             return None
         q[0], q[-1] = ends[0].q[0], ends[1].q[0]

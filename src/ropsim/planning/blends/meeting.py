@@ -24,14 +24,17 @@ class Meeting:
 def meeting_of(before: PlannedMove, behind: PlannedMove) -> Meeting | None:
     """Return where the paths of two moves meet; None if they use different tools, or have no common frame.
 
-    The frame is that of the path on which external axes move; where they stand, a path is as good in any
-    frame. Two paths on which they move have to be given in frames of one link, or both in the base frame.
+    None also where the orientation counts on one of them only. The frame is that of the path on which
+    external axes move; where they stand, a path is as good in any frame. Two paths on which they move have to
+    be given in frames of one link, or both in the base frame.
 
     Args:
         before: the move that ends there.
         behind: the move that begins there.
     """
     if before.tool is None or behind.tool is None or before.planned.X_MT != behind.planned.X_MT:
+        return None
+    if before.planned.counts is not behind.planned.counts:
         return None
     one, other = before.planned.coordination, behind.planned.coordination
     if one is None and other is None:

@@ -126,4 +126,4 @@ def _joined(
         there if on_line else JointPoints(there.q, own.d1[k : k + 1], own.d2[k : k + 1])
         for k, (there, on_line) in enumerate(zip(on_lines, (ends.before, ends.behind), strict=True))
     )
-    return joined_to(chain, part.curve, joints, (begin, end), move.planned.X_MT, None)
+    return joined_to(chain, part.curve, joints, (begin, end), move.planned, None)

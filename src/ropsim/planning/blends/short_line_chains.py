@@ -73,6 +73,7 @@ def _go_on(chain: MotionChain, before: PlannedMove, behind: PlannedMove) -> bool
         and _is_line(behind)
         and (one.limits is other.limits or one.limits == other.limits)
         and one.X_MT == other.X_MT
+        and one.counts is other.counts
         and commanded_zone(chain, before.move) >= LEAST_ZONE
     )
 

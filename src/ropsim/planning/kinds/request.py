@@ -1,5 +1,7 @@
 """Request for a kind of tool path."""
 
+from dataclasses import replace
+
 from ropsim.flow import MoveInstruction
 from ropsim.motion import OrientationMode
 from ropsim.spatial import Pose, record
@@ -22,3 +24,8 @@ class PathRequest:
     via: tuple[Pose, ...]
     X_end: Pose
     orientation: OrientationMode
+
+    def of_points(self) -> "PathRequest":
+        """Return the request with poses of which the positions count, turned as the frame is."""
+        start, *via, end = (Pose(one.position) for one in (self.X_start, *self.via, self.X_end))
+        return replace(self, X_start=start, via=tuple(via), X_end=end, orientation=OrientationMode.FIXED_AXIS)

@@ -19,7 +19,10 @@ from ropsim.kinematics import (
 from ropsim.model import RobotModel, Tool
 from ropsim.planning.moves.branch_following import BranchFollower, Follow
 from ropsim.planning.moves.line_check import Line, end_findings, limit_refusals, lost
+from ropsim.planning.moves.point_transform import solve_points
 from ropsim.planning.records.entities import Refusal
+from ropsim.planning.records.free_orientation import counted_of
+from ropsim.planning.records.planned_path import Counts
 from ropsim.planning.records.posture_choice import JointRange
 from ropsim.planning.records.work_frames import WorkFrames
 from ropsim.spatial import Array, Pose, frozen, record
@@ -28,6 +31,8 @@ from ropsim.spatial import Array, Pose, frozen, record
 @record
 class StandardInverseTransform:
     """Solves all setpoints of a path at once and follows the branch of the start.
+
+    Of a move with free orientation an arm with fewer than six axes follows the points, see `solve_points`.
 
     Attributes:
         robot: the arm.
@@ -67,8 +72,10 @@ class StandardInverseTransform:
         X_MT = self._work.tool_pose(move.modal, move.origin.span)
         if isinstance(X_MT, Diagnostic):
             return Refusal((X_MT,))
+        line = Line(move, setpoints, q_start, self.robot, X_MT)
+        if counted_of(move, self.robot) is Counts.POINT:
+            return solve_points(line, X_MT, self._range)
         matrices = setpoints.matrices @ _backwards(X_MT)  # X_BM, (k, 4, 4)
-        line = Line(move, setpoints, q_start, self.robot)
         held, derivatives = line.held, None
         if setpoints.parameters is not None and setpoints.derivatives is not None and is_followed(self.robot):
             along = setpoints.parameters, matrices, q_start, X_MT, setpoints.derivatives

@@ -15,6 +15,7 @@ from ropsim.motion import (
     POSE_NOT_FOUND,
 )
 from ropsim.planning.moves.branch_following import Follow
+from ropsim.planning.records.free_orientation import free_hint
 from ropsim.planning.records.posture_choice import JointRange
 from ropsim.planning.records.wording import coordinate, external_notes, figures, passes, shortfall_words
 from ropsim.spatial import Array, Pose, record
@@ -37,12 +38,14 @@ class Line:
         setpoints: X_BT along the path.
         q_start: joint coordinates at the start [rad | m], shape (n,).
         robot: the arm with its external axes.
+        X_MT: the tool.
     """
 
     move: MoveInstruction
     setpoints: PoseSetpoints
     q_start: Array
     robot: RobotModel
+    X_MT: Pose = Pose()
 
     @property
     def held(self) -> Array:
@@ -55,6 +58,10 @@ class Line:
         rows = np.tile(self.q_start, (len(self.setpoints.matrices), 1))
         rows[:, list(self.robot.external)] = self.setpoints.external
         return rows
+
+    def held_at(self, row: int) -> Array:
+        """Return coordinates with external ones from setpoint `row`, shape (n,)."""
+        return self.q_start if self.setpoints.external is None else self.held[row]
 
     def share(self, row: int) -> float:
         """Return which share of the path lies behind setpoint `row`."""
@@ -75,11 +82,12 @@ def lost(line: Line, found: Follow, matrices: Array) -> Diagnostic:
     span, label = line.move.origin.span, passes(line.move.origin)
     q = found.q[-1] if row else line.q_start
     if not found.reachable:
-        here = line.held if line.setpoints.external is None else line.held[row]
+        here = line.held_at(row)
         options = IkOptions(near=here)
         shortfall = inverse(robot, Pose.from_matrix(matrices[row]), options).shortfall
         kind, left = _LEFT[shortfall.status if shortfall else IkStatus.OUT_OF_REACH]
-        x, y, z = (1e3 * line.setpoints.matrices[row, :3, 3]).tolist()
+        X_BT = line.setpoints.matrices[row]
+        x, y, z = (1e3 * X_BT[:3, 3]).tolist()
         return kind.at(
             span,
             f"the line leaves {left} at {share:.0%} of the way, "
@@ -89,7 +97,8 @@ def lost(line: Line, found: Follow, matrices: Array) -> Diagnostic:
                 *((shortfall_words(shortfall),) if shortfall else ()),
                 *external_notes(robot, here),
             ),
-            hint="shift the line, or use `mov` where the path does not matter",
+            hint=(kind is OUT_OF_TASK_SPACE and free_hint(robot, line.X_MT, X_BT[:3, 3], q))
+            or "shift the line, or use `mov` where the path does not matter",
             data=data,
         )
     return JUMP_ON_LINE.at(

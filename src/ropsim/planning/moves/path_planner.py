@@ -9,7 +9,7 @@ import numpy as np
 
 from ropsim.core import Diagnostic
 from ropsim.flow import ModalState, MotionKind, MoveInstruction
-from ropsim.kinematics import IkOptions, branches_near, inverse, tool_pose
+from ropsim.kinematics import IkOptions, branches_near, inverse, point_answers, tool_pose
 from ropsim.model import ControllerModel, OrientationMode, RobotModel, Synchronisation, Tool
 from ropsim.motion import (
     ZERO_LENGTH,
@@ -24,9 +24,11 @@ from ropsim.planning.entity_checks.entity_faults import guarded, with_reason
 from ropsim.planning.entity_checks.path_faults import unusable_tool_path
 from ropsim.planning.entity_checks.path_truth import misplaced_tool_path
 from ropsim.planning.kinds import TOOL_PATHS, PathRequest, ToolPathMaker
+from ropsim.planning.moves.chain_check import chain_refusals
 from ropsim.planning.moves.external_check import check_external, with_external
 from ropsim.planning.moves.move_check import check_joints, check_kind, check_values, is_near
 from ropsim.planning.moves.move_context import MoveContext, move_context_of
+from ropsim.planning.moves.point_refusals import point_refused
 from ropsim.planning.moves.requested_posture import no_such_posture, with_request
 from ropsim.planning.moves.target_refusals import (
     no_arm,
@@ -38,10 +40,11 @@ from ropsim.planning.moves.target_refusals import (
 from ropsim.planning.moves.wrist_planner import WristPlanner
 from ropsim.planning.records.coordination import coordination_along, moved_axes
 from ropsim.planning.records.entities import Refusal
+from ropsim.planning.records.free_orientation import counted_of, with_orientation_of
 from ropsim.planning.records.identity_cache import IdentityCache
 from ropsim.planning.records.moving_frames import MovingFrame
-from ropsim.planning.records.planned_path import PlannedPath, move_limits
-from ropsim.planning.records.posture_choice import JointRange, choose, nearest_turns
+from ropsim.planning.records.planned_path import Counts, PlannedPath, move_limits
+from ropsim.planning.records.posture_choice import JointRange, choose, choose_nearest, nearest_turns
 from ropsim.planning.records.work_frames import WorkFrames, inverted
 from ropsim.spatial import Array, Pose, frozen, record
 
@@ -55,8 +58,9 @@ class StandardPathPlanner:
     move the task frame in force, the path is one in that frame. The target is solved where they end.
 
     Every move is validated and its target brought into the base frame; a move that cannot be planned is
-    refused with all reasons. Speed override and PTP speed share scale the speed limits, the PTP acceleration
-    share scales acceleration and jerk limits.
+    refused with all reasons. With a free orientation the points count for an arm with fewer than six axes;
+    any other one keeps its orientation of the start, seen from the task frame. Speed override and PTP speed
+    share scale the speed limits, the PTP acceleration share scales acceleration and jerk limits.
 
     Attributes:
         robot: the arm.
@@ -105,9 +109,15 @@ class StandardPathPlanner:
         so_far = self._context(move)
         if isinstance(so_far, Refusal):
             return so_far
+        if move.has_free_orientation and isinstance(move.target, Pose):
+            so_far = replace(so_far, counts=counted_of(move, self.robot))
+            if so_far.counts is Counts.POSE:
+                X_BT = tool_pose(self.robot, q_start, so_far.X_MT)
+                X_KT = inverted(self._work.frame_pose(move.modal, q_start)) @ X_BT
+                move = with_orientation_of(move, X_KT)
         if move.kind not in self.kinds:
             return self._plan_ptp(move, q_start, so_far)
-        goal = self._tool_goal(move, q_start, so_far.X_MT)
+        goal = self._tool_goal(move, q_start, so_far)
         return goal if isinstance(goal, Refusal) else self._plan_tool(move, q_start, so_far, goal)
 
     def _context(self, move: MoveInstruction) -> PlannedPath | Refusal:
@@ -137,13 +147,13 @@ class StandardPathPlanner:
     def _plan_ptp(self, move: MoveInstruction, q_start: Array, so_far: PlannedPath) -> PlannedPath | Refusal:
         if not isinstance(move.target, Pose):
             goal = self._joint_goal(move)
-            return goal if isinstance(goal, Refusal) else self._with_joints(so_far, q_start, goal)
+            return goal if isinstance(goal, Refusal) else self._with_joints(move, so_far, q_start, goal)
         wrong = check_external(move, self.robot, self._range)
         if wrong:
             return Refusal(wrong)
         there = with_external(move, q_start, self.robot)
-        X_BM = self._work.frame_pose(move.modal, there) @ move.target @ inverted(so_far.X_MT)
-        branches = self._branches(move, X_BM, there)
+        X_BT = self._work.frame_pose(move.modal, there) @ move.target
+        branches = self._branches(move, X_BT, so_far, there)
         if isinstance(branches, Refusal):
             return branches
         if move.posture is not None and self._range.inside(branches).any():
@@ -151,15 +161,18 @@ class StandardPathPlanner:
             if not self._range.inside(as_requested).any():
                 return Refusal((no_such_posture(move, self.robot, branches, q_start, self._range),))
             branches = as_requested
-        choice = choose(self.robot, branches, q_start, self._range, so_far.limits.joints)
+        choosing = choose_nearest if so_far.counts is Counts.POINT else choose
+        choice = choosing(self.robot, branches, q_start, self._range, so_far.limits.joints)
         if choice is None:
             return Refusal((out_of_range(move, self.robot, branches, self._range),))
         if not choice.keeps_posture and move.posture is None:
             changed = posture_change(move, self.robot, q_start, choice.q)
             so_far = replace(so_far, findings=so_far.findings + changed)
-        return self._with_joints(so_far, q_start, choice.q)
+        return self._with_joints(move, so_far, q_start, choice.q)
 
-    def _with_joints(self, so_far: PlannedPath, q_start: Array, q_end: Array) -> PlannedPath:
+    def _with_joints(
+        self, move: MoveInstruction, so_far: PlannedPath, q_start: Array, q_end: Array
+    ) -> PlannedPath | Refusal:
         """Return the plan of a PTP move; without a path where no joint moves."""
         if max(map(abs, (q_end - q_start).tolist())) <= ZERO_LENGTH:
             return so_far
@@ -168,6 +181,9 @@ class StandardPathPlanner:
             # limits beyond all numbers are left to the line: the move takes too long
             with suppress(ProfileError):
                 joints = SynchronisedJoints(q_start, q_end, so_far.limits.joints)
+        wrong = chain_refusals(move, self.robot, joints)
+        if wrong:
+            return Refusal(wrong)
         return PlannedPath(joints, None, so_far.limits, so_far.X_MT, so_far.findings)
 
     def _plan_tool(
@@ -184,6 +200,8 @@ class StandardPathPlanner:
             X_BK = self._work.frame_pose(move.modal, q_start)
             X_end, via = X_BT, tuple(X_BK @ X_KT for X_KT in move.via)
         request = PathRequest(move, X_start, via, X_end, self.controller.orientation)
+        if so_far.counts is Counts.POINT:
+            request = request.of_points()
         make = self.kinds[move.kind]
         path = guarded(make, lambda: make(request), (object,), move)
         if isinstance(path, Refusal):
@@ -200,15 +218,17 @@ class StandardPathPlanner:
             share = self.controller.speed_override
             along = coordination_along(path, self.robot, q_start, q_there, frame, share)
             so_far = replace(so_far, coordination=along)
-        if self.controller.orientation is OrientationMode.WRIST_ANGLES:
+        if request.orientation is OrientationMode.WRIST_ANGLES:
             return WristPlanner(self.robot, self._range).planned(move, path, q_start, so_far)
         return replace(so_far, tool=path)
 
-    def _tool_goal(self, move: MoveInstruction, q_start: Array, X_MT: Pose) -> tuple[Array, Pose] | Refusal:
+    def _tool_goal(
+        self, move: MoveInstruction, q_start: Array, so_far: PlannedPath
+    ) -> tuple[Array, Pose] | Refusal:
         """Return where a path of the tool ends: joint coordinates whose external ones count, and X_BT."""
         if not isinstance(move.target, Pose):
             goal = self._joint_goal(move)
-            return goal if isinstance(goal, Refusal) else (goal, tool_pose(self.robot, goal, X_MT))
+            return goal if isinstance(goal, Refusal) else (goal, tool_pose(self.robot, goal, so_far.X_MT))
         wrong = check_external(move, self.robot, self._range)
         if wrong:
             return Refusal(wrong)
@@ -218,7 +238,7 @@ class StandardPathPlanner:
         X_BT = self._work.frame_pose(move.modal, there) @ move.target
         if move.angle is not None:
             return there, X_BT  # the target determines the circle; neither arm nor axes end there
-        branches = self._branches(move, X_BT @ inverted(X_MT), there)
+        branches = self._branches(move, X_BT, so_far, there)
         if isinstance(branches, Refusal):
             return branches
         if not self._range.inside(branches).any():
@@ -231,14 +251,22 @@ class StandardPathPlanner:
         problems = check_joints(move, goal, self.robot, self._range)
         return Refusal(problems) if problems else goal
 
-    def _branches(self, move: MoveInstruction, X_BM: Pose, q_near: Array) -> Array | Refusal:
-        """Return all branches that reach X_BM, turned nearest to `q_near`, NaN where absent, (b, n).
+    def _branches(
+        self, move: MoveInstruction, X_BT: Pose, so_far: PlannedPath, q_near: Array
+    ) -> Array | Refusal:
+        """Return all branches that reach X_BT, turned nearest to `q_near`, NaN where absent, (b, n).
 
-        External axes stand where `q_near` has them.
+        Of a path of points those that reach its position. External axes stand where `q_near` has them.
         """
+        if so_far.counts is Counts.POINT:
+            answers = point_answers(self.robot, so_far.X_MT, X_BT.position, q_near)
+            if not len(answers.branches):
+                return Refusal((point_refused(move, X_BT.position, answers, self.robot, q_near),))
+            return nearest_turns(answers.branches, q_near, self._range)
+        X_BM = X_BT @ inverted(so_far.X_MT)
         branches = branches_near(self.robot, X_BM, q_near)
         if branches is not None:
             return nearest_turns(branches, q_near, self._range)
         shortfall = inverse(self.robot, X_BM, IkOptions(near=q_near)).shortfall
         assert shortfall is not None
-        return Refusal((out_of_reach(move, X_BM, shortfall, self.robot, q_near),))
+        return Refusal((out_of_reach(move, X_BM, so_far.X_MT, shortfall, self.robot, q_near),))

@@ -12,6 +12,7 @@ from ropsim.planning.moves.move_curve import OnCurve
 from ropsim.planning.moves.path_following import follow_path
 from ropsim.planning.moves.requested_posture import other_posture
 from ropsim.planning.records.entities import Refusal
+from ropsim.planning.records.free_orientation import explained
 from ropsim.planning.records.motion_chain import MotionChain
 from ropsim.planning.records.planned_path import PlannedPath
 from ropsim.spatial import Array, record
@@ -72,6 +73,11 @@ def planned_move_of(chain: MotionChain, move: MoveInstruction, q_start: Array) -
         move: the instruction with its modal state.
         q_start: command joint coordinates at the end of the move before [rad | m], shape (n,).
     """
+    made = _made(chain, move, q_start)
+    return explained(move, chain.robot, made) if isinstance(made, Refusal) else made
+
+
+def _made(chain: MotionChain, move: MoveInstruction, q_start: Array) -> PlannedMove | Refusal:
     planner = chain.planner
     planned = guarded(planner, lambda: planner.plan(move, q_start), (PlannedPath,), move)
     if isinstance(planned, Refusal):

@@ -1,10 +1,12 @@
 """Postures and turns requested by a program: the branches that have them."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ropsim.core import Diagnostic
-from ropsim.flow import MoveInstruction, PostureRequest
-from ropsim.kinematics import Posture, posture, solver_of
+from ropsim.flow import MoveInstruction, PostureRequest, TargetOrientation
+from ropsim.kinematics import Posture, chooses_points_only, posture, solver_of
 from ropsim.model import RobotModel
 from ropsim.motion import OTHER_POSTURE, POSTURE_OUT_OF_REACH
 from ropsim.planning.records.posture_choice import JointRange
@@ -23,7 +25,7 @@ def with_request(robot: RobotModel, branches: Array, request: PostureRequest) ->
         request: words of the posture, and turns of the axes of the arm from the first on.
     """
     found = branches.copy()
-    for row, name in enumerate(solver_of(robot).postures[: len(found)]):
+    for row, name in enumerate(_postures(robot, branches, request)):
         if not _has_words(name, request):
             found[row] = np.nan
     for axis, turn in zip(_arm_axes(robot), request.turns, strict=False):
@@ -71,7 +73,7 @@ def _possible_instead(
     """Return in words how the target is reached, the nearest to the request first."""
     turned = with_request(robot, branches, PostureRequest((), request.turns))
     q = turned if limits.inside(turned).any() else branches
-    postures = solver_of(robot).postures
+    postures = _postures(robot, branches, request)
 
     def distance(row: int) -> tuple[int, int, float]:
         missing = set(request.words) - set(postures[row].words)
@@ -83,6 +85,13 @@ def _possible_instead(
     shown = dict.fromkeys(_as_terms(robot, request, postures[row], q[row]) for row in rows)
     options = " or ".join(f"`{one}`" for one in shown if one)
     return f"possible here: {options}" if options else "leave `turns` out, or move the target"
+
+
+def _postures(robot: RobotModel, branches: Array, request: PostureRequest) -> Sequence[Posture]:
+    """Return the posture of each branch; those to a point have no order of their own."""
+    if request.orientation is TargetOrientation.FREE and chooses_points_only(robot):
+        return [posture(robot, q) for q in branches]
+    return solver_of(robot).postures[: len(branches)]
 
 
 def _as_terms(robot: RobotModel, request: PostureRequest, name: Posture, q: Array) -> str:

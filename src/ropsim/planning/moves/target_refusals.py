@@ -26,6 +26,8 @@ from ropsim.motion import (
 )
 from ropsim.planning.moves.requested_posture import difference
 from ropsim.planning.records.conflict import Conflict
+from ropsim.planning.records.free_orientation import counted_of, free_hint
+from ropsim.planning.records.planned_path import Counts
 from ropsim.planning.records.posture_choice import JointRange
 from ropsim.planning.records.wording import coordinate, external_notes, figures, passes, shortfall_words
 from ropsim.spatial import Array, Pose
@@ -51,23 +53,24 @@ _TURNED_OVER = 3.1
 """Angle from the possible orientation from which on its tool is turned over [rad]."""
 
 
-def _task_space_hint(miss: Miss | None, X_BM: Pose) -> str:
-    """Return the hint for a pose X_BM of the mechanical interface outside the task space."""
+def _task_space_hint(miss: Miss | None, X_BM: Pose, free: str) -> str:
+    """Return the hint for a pose X_BM of the mechanical interface outside the task space; or `free`."""
     if miss is not None and miss.angle > _TURNED_OVER and X_BM.matrix()[2, 2] > 0.0:
         return (
             "the tool points up there; write `; down` behind the coordinates, or with a turn `; down, rz 90`"
         )
-    return "give the pose the orientation that the arm has there, or use joint coordinates"
+    return free or "give the pose the orientation that the arm has there, or use joint coordinates"
 
 
 def out_of_reach(
-    move: MoveInstruction, X_BM: Pose, shortfall: Shortfall, robot: RobotModel, q: Array
+    move: MoveInstruction, X_BM: Pose, X_MT: Pose, shortfall: Shortfall, robot: RobotModel, q: Array
 ) -> Diagnostic:
     """Return M501, M530 or M581 for a command pose X_BM of the mechanical interface without a posture.
 
     Args:
         move: the instruction.
         X_BM: the pose.
+        X_MT: the tool.
         shortfall: the missing amount.
         robot: the arm with its external axes.
         q: joint coordinates with the external axes where they stand [rad | m], shape (n,).
@@ -80,7 +83,7 @@ def out_of_reach(
         **_reach_data(shortfall.reach),
         **_miss_data(shortfall.miss),
     }
-    outside = shortfall.status is IkStatus.OUT_OF_TASK_SPACE
+    free = free_hint(robot, X_MT, (X_BM @ X_MT).position, q)
     kind, what = _WITHOUT_POSTURE[shortfall.status]
     why = shortfall_words(shortfall)
     return kind.at(
@@ -88,9 +91,9 @@ def out_of_reach(
         f"{what}: {why or position}",
         label=passes(move.origin),
         notes=(*((position,) if why else ()), *external_notes(robot, q)),
-        hint=_task_space_hint(shortfall.miss, X_BM)
-        if outside
-        else "move the target or its frame, and look at the units of its coordinates",
+        hint=_task_space_hint(shortfall.miss, X_BM, free)
+        if shortfall.status is IkStatus.OUT_OF_TASK_SPACE
+        else free or "move the target or its frame, and look at the units of its coordinates",
         data=data,
     )
 
@@ -194,7 +197,7 @@ def posture_for_later(
 def numeric_hint(move: MoveInstruction, robot: RobotModel) -> tuple[Diagnostic, ...]:
     """Return M550 for a move that an arm solved numerically makes to a pose."""
     posed = isinstance(move.target, Pose) or move.kind != MotionKind.PTP
-    if not posed or solver_of(robot).method is not Method.NUMERIC:
+    if not posed or counted_of(move, robot) is Counts.POINT or solver_of(robot).method is not Method.NUMERIC:
         return ()
     finding = NO_CLOSED_FORM.at(
         move.origin.span,

@@ -13,7 +13,15 @@ from itertools import pairwise
 import numpy as np
 
 from ropsim.flow import MotionKind, MoveInstruction
-from ropsim.kinematics import IkOptions, Limits, forward_batch, inverse, posture
+from ropsim.kinematics import (
+    IkOptions,
+    Limits,
+    forward_batch,
+    inverse,
+    point_answers,
+    posture,
+    tool_pose,
+)
 from ropsim.model import RobotModel
 from ropsim.motion import POSTURE_CHANGE
 from ropsim.planning.moves.planned_move import PlannedMove, planned_move_of, planned_moves
@@ -23,6 +31,7 @@ from ropsim.planning.postures.path_conflicts import conflict_of, is_narrow, time
 from ropsim.planning.records.conflict import Conflict
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.motion_chain import MotionChain
+from ropsim.planning.records.planned_path import Counts
 from ropsim.planning.records.posture_choice import JointRange, nearest_turns, turned_branches
 from ropsim.spatial import Array, Pose, record
 
@@ -123,13 +132,22 @@ def _goals(chain: MotionChain, starts: Sequence[_Start], limits: JointRange) -> 
         _put(found, start.nearest.q_end)
     if found:
         q = found[0]
-        X_BM = Pose.from_matrix(forward_batch(chain.robot, q[np.newaxis])[0])
-        branches = inverse(chain.robot, X_BM, IkOptions(Limits.IGNORE, near=q)).branches
+        branches = _branches(chain, starts[0].nearest, q)
         request = starts[0].nearest.move.posture
         for row in turned_branches(nearest_turns(branches, q, limits), limits):
             if request is None or has_requested_posture(chain.robot, row, request):
                 _put(found, row)
     return found
+
+
+def _branches(chain: MotionChain, nearest: PlannedMove, q: Array) -> Array:
+    """Return all branches that reach the target of a move, which ends at q (n,), shape (b, n)."""
+    robot, planned = chain.robot, nearest.planned
+    if planned.counts is Counts.POINT:
+        point = tool_pose(robot, q, planned.X_MT).position
+        return point_answers(robot, planned.X_MT, point, q).branches
+    X_BM = Pose.from_matrix(forward_batch(robot, q[np.newaxis])[0])
+    return inverse(robot, X_BM, IkOptions(Limits.IGNORE, near=q)).branches
 
 
 def _put(found: list[Array], q: Array) -> None:

@@ -1,5 +1,6 @@
 """The path of a move, and the limits that hold on it."""
 
+from enum import Enum
 from functools import lru_cache
 
 from ropsim.core import Diagnostic
@@ -23,6 +24,16 @@ class MoveLimits:
     tool: ToolLimits
 
 
+class Counts(Enum):
+    """What of the poses on a path of the tool counts.
+
+    Of a path of points the orientation stands still, whatever the arm does: it neither limits nor delays.
+    """
+
+    POSE = "pose"
+    POINT = "point"
+
+
 @record
 class PlannedPath:
     """The path of a move.
@@ -36,6 +47,7 @@ class PlannedPath:
         X_MT: the tool that is meant.
         findings: findings of the planner about it.
         coordination: external axes that go along with a path of the tool; None where they stand.
+        counts: what of the poses on the path of the tool counts.
     """
 
     joints: JointPath | None
@@ -44,6 +56,7 @@ class PlannedPath:
     X_MT: Pose
     findings: tuple[Diagnostic, ...] = ()
     coordination: Coordination | None = None
+    counts: Counts = Counts.POSE
 
     @property
     def least_time(self) -> float:

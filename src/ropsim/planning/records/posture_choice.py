@@ -5,8 +5,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from ropsim.kinematics import Posture, solver_of, turning_axes
-from ropsim.model import CoupledLimits, Joint, RobotModel, coupled_limits, held_arm
+from ropsim.kinematics import FollowerLimits, Posture, follower_limits, solver_of, turning_axes
+from ropsim.model import Joint, RobotModel, held_arm
 from ropsim.motion import JointMotionLimits, durations
 from ropsim.planning.records.turns_kernel import rows_inside, turn_rows
 from ropsim.spatial import Array, record
@@ -19,7 +19,7 @@ LIMIT_SLACK = 1e-9
 
 @record
 class JointRange:
-    """The limits of all joints as arrays: of the n axes, and of m joints that follow them by couplings.
+    """The limits of all joints as arrays: of the n axes, and of m joints that follow them.
 
     Attributes:
         lower: of the axes [rad | m], shape (n,).
@@ -33,12 +33,12 @@ class JointRange:
     upper: Array
     revolute: Array
     joints: tuple[Joint, ...]
-    coupled: CoupledLimits
+    coupled: FollowerLimits
 
     @classmethod
     def of(cls, robot: RobotModel) -> "JointRange":
         """Return the range of an arm."""
-        coupled = coupled_limits(robot)
+        coupled = follower_limits(robot)
         joints = (*robot.axis_joints, *coupled.joints)
         return cls(robot.lower_limits, robot.upper_limits, turning_axes(robot), joints, coupled)
 
@@ -139,6 +139,18 @@ def choose(
         return Choice(branches[rows[0]], keeps_posture=bool(same))
     shortest = int(np.argmin(durations(q_start, branches[rows], motion)))
     return Choice(branches[rows[shortest]], keeps_posture=bool(same))
+
+
+def choose_nearest(
+    robot: RobotModel, branches: Array, q_start: Array, limits: JointRange, motion: JointMotionLimits
+) -> Choice | None:
+    """Return the joint coordinates that are reached soonest, in any posture; arguments as in `choose`."""
+    del robot
+    inside = np.flatnonzero(limits.inside(branches))
+    if not len(inside):
+        return None
+    shortest = int(np.argmin(durations(q_start, branches[inside], motion)))
+    return Choice(branches[inside[shortest]], keeps_posture=True)
 
 
 def _start_rows(robot: RobotModel, q_start: Array) -> list[int]:

@@ -5,6 +5,7 @@ from functools import lru_cache
 from typing import Any, NoReturn
 
 from ropsim.core import maker
+from ropsim.flow import TargetOrientation
 from ropsim.icr import Constant as IcrConstant
 from ropsim.icr import Step, Type, Value
 from ropsim.program import expressions as sir
@@ -185,6 +186,8 @@ def _posture(scope: Scope, expression: sir.InPosture) -> Type:
         push(scope, _INT, turn)
     if turns:
         scope.emitter.emit("TURNS", len(turns))
+    if expression.request.orientation is TargetOrientation.FREE:
+        scope.emitter.emit("ORI.FREE")
     return expression.type
 
 

@@ -1,23 +1,34 @@
 """The servo loop of an arm about a rest, linear and tick by tick, from the code of plant and law."""
 
-import math
-from collections.abc import Callable
-from dataclasses import replace
-from typing import Any
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ropsim.codegen import Engine, load
-from ropsim.controller import CompiledLaw, law_of
+from ropsim.controller import (
+    CompiledLaw,
+    LawInput,
+    PythonLaw,
+    compiled_half,
+    in_python,
+    law_arrays,
+    law_model,
+    law_of,
+)
 from ropsim.dynamics import arm_numbers, barycentric, structure_of
 from ropsim.model import ControllerModel, Friction, Payload, RobotModel
 from ropsim.simulation.servo.held_state import SMALL, held_state, without_dead_zones
-from ropsim.simulation.servo.plant_code import plant_code
+from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
+from ropsim.simulation.servo.sensing import sensing_of
 from ropsim.simulation.servo.state import StateLayout
 from ropsim.spatial import Array, frozen, record
 
-_NO_SIGNALS = np.zeros(0)
+_LONGEST_REST = 5000
+"""Ticks in which what a law remembers comes to rest."""
+_REST = 1e-12
+"""Change in a tick, over a number, of what has come to rest."""
 
 
 @record
@@ -100,13 +111,18 @@ class LinearLoop:
 
 
 def linear_loop(
-    robot: RobotModel, controller: ControllerModel, q: Array, payload: Payload, law: CompiledLaw | None = None
+    robot: RobotModel,
+    controller: ControllerModel,
+    q: Array,
+    payload: Payload,
+    law: CompiledLaw | PythonLaw | None = None,
 ) -> LinearLoop:
     """Return plant and law about a rest, without dry friction, which would damp the loop.
 
     Near standstill dry friction is a steep smooth curve in simulations: a loop that only this damps is not
     damped in motion. Amplifiers are away from their limits, gears on their flanks, valves beyond their
-    overlap.
+    overlap. Sensors of the controller are late by their delay and by half of their period; their steps and
+    their noise have no part in it.
 
     Args:
         robot: with drives.
@@ -119,7 +135,9 @@ def linear_loop(
     x, u = held_state(arm, q, payload)
     chosen, rates = law or law_of(controller, robot), controller.rates
     F, G = _plant(arm, payload, (x, u), rates.control_period, plant_steps_of(robot, rates))
-    K, L = _law(chosen, robot, x, payload)
+    seen = _Seen.of(robot, controller, chosen, u)
+    F, G, x = seen.with_delays(F, G, x)
+    K, L = _law(seen, x, payload)
     return LinearLoop(frozen(F), frozen(G), frozen(K), frozen(L), rates.control_period, chosen.traits.delay)
 
 
@@ -157,27 +175,118 @@ def _plant(
     return after[:s, :s], after[:s, s:] * np.array([drive.sense for drive in robot.drives])
 
 
-def _law(law: CompiledLaw, robot: RobotModel, x: Array, payload: Payload) -> tuple[Array, Array]:
-    """Return how outputs and next states of a law follow from state, law and reference: two matrices."""
-    scope: dict[str, Any] = {"math": math, "np": np}
-    for one in law.functions:
-        exec(one.text, scope)
-    exec(law.source, scope)
-    layout = StateLayout.of(structure_of(robot).drives, law.traits)
-    n, s, speeds = robot.n, layout.integrated, list(layout.measured_speeds)
-    numbers = np.array(barycentric(payload.mass, payload.com, payload.inertia))
-    signals = np.zeros(len(law.traits.aux)) if law.traits.aux else _NO_SIGNALS
+@dataclass(frozen=True, slots=True)
+class _Seen:
+    """What a law is given of the state of an arm, and of values on their way from sensors.
 
-    def answers(values: Array) -> Array:
-        ref, meas, out = np.zeros((3, n)), np.zeros((3, n)), np.zeros(n)
-        ref[0], meas[0], meas[1] = values[-n:], values[:n], values[speeds]
-        state = values[s:-n].reshape(-1, n).copy()
-        scope["law"](law.parameters, state, ref, meas, numbers, signals, out)
+    Attributes:
+        robot: the arm.
+        law: its law.
+        layout: of its state.
+        u: outputs of the amplifiers at rest.
+        late: for each row of a frame (see `Servo`) the control ticks by which it is late.
+    """
+
+    robot: RobotModel
+    law: CompiledLaw | PythonLaw
+    layout: StateLayout
+    u: Array
+    late: tuple[int, ...]
+
+    @classmethod
+    def of(
+        cls, robot: RobotModel, controller: ControllerModel, law: CompiledLaw | PythonLaw, u: Array
+    ) -> "_Seen":
+        layout, late = (
+            StateLayout.of(structure_of(robot), law.traits),
+            [0] * (4 + len(law.traits.sensed)),
+        )
+        for channel in sensing_of(controller, compiled_half(law, np.zeros(robot.n))).channels:
+            late[channel.row] = channel.delay + channel.period // 2
+        return cls(robot, law, layout, u, tuple(late))
+
+    def frame(self, x: Array) -> Array:
+        """Return true values by rows, shape (r, n)."""
+        n, found = self.robot.n, np.zeros((len(self.late), self.robot.n))
+        found[0], found[1] = x[:n], x[list(self.layout.measured_speeds)]
+        efforts(self.robot, x.copy(), self.u, found[2])
+        for row, places in enumerate(self.layout.sensed(self.law.traits.sensed), start=4):
+            found[row] = [0.0 if one is None else x[one] for one in places]
+        return found
+
+    def with_delays(self, F: Array, G: Array, x: Array) -> tuple[Array, Array, Array]:
+        """Return the plant with values on their way from late sensors, and its state at rest."""
+        n, s, late = self.robot.n, len(x), sum(self.late)
+        if not late:
+            return F, G, x
+        whole, C = np.zeros((s + late * n, s + late * n)), _differences(lambda y: self.frame(y).ravel(), x)
+        whole[:s, :s], first = F, s
+        rest, still = [x], self.frame(x)
+        for row, ticks in enumerate(self.late):
+            for k in range(ticks):
+                here = slice(first, first + n)
+                if k == 0:
+                    whole[here, :s] = C[row * n : (row + 1) * n]
+                else:
+                    whole[here, first - n : first] = np.eye(n)
+                rest.append(still[row])
+                first += n
+        return whole, np.vstack((G, np.zeros((late * n, n)))), np.concatenate(rest)
+
+    def given(self, x: Array, s: int) -> Array:
+        """Return measured values by rows; `x` has s numbers of the plant, and values on their way."""
+        found, first, n = self.frame(x[:s]), s, self.robot.n
+        for row, ticks in enumerate(self.late):
+            first += ticks * n
+            if ticks:
+                found[row] = x[first - n : first]
+        return found
+
+
+def _law(seen: _Seen, x: Array, payload: Payload) -> tuple[Array, Array]:
+    """Return how outputs and next states of a law follow from state, law and reference: two matrices."""
+    law, robot, layout = seen.law, seen.robot, seen.layout
+    function = _called(law, robot, payload)
+    arrays = law_arrays(compiled_half(law, np.zeros(robot.n)), robot.n)
+    rests = not isinstance(law, CompiledLaw) or law.model is not None
+    n, s, size = robot.n, layout.integrated, len(x)
+    arrays["load"] = np.array(barycentric(payload.mass, payload.com, payload.inertia))
+
+    def answer(found: Array, memory: Array, q_ref: Array) -> Array:
+        out, state = np.zeros(n), memory.reshape(-1, n).copy()
+        ref = np.array([q_ref, np.zeros(n), np.zeros(n)])
+        given = {"sensed": found[4:].copy(), "state": state, "ref": ref, "meas": found[:3].copy()}
+        function({**arrays, **given, "out": out})
         return np.concatenate((out, state.ravel()))
 
-    rest = np.concatenate((x, np.zeros(layout.law_rows * n), x[:n]))
-    J = _differences(answers, rest)
+    def answers(values: Array) -> Array:
+        return answer(seen.given(values[:size], s), values[size:-n], values[-n:])
+
+    memory = np.zeros((layout.law_rows, n))
+    if rests and law.traits.hold_row is not None:
+        memory[law.traits.hold_row] = seen.u * np.array([drive.sense for drive in robot.drives])
+    kept, found = memory.ravel(), seen.given(x, s)
+    for _ in range(_LONGEST_REST if rests else 0):
+        before, kept = kept, answer(found, kept, x[:n])[n:]
+        if (np.abs(kept - before) <= _REST * np.maximum(np.abs(kept), SMALL)).all():
+            break
+    J = _differences(answers, np.concatenate((x, kept, x[:n])))
     return J[:n], J[n:]
+
+
+def _called(
+    law: CompiledLaw | PythonLaw, robot: RobotModel, payload: Payload
+) -> Callable[[Mapping[str, Array]], None]:
+    """Return a law as a function of its arrays by name, `out` among them."""
+    if isinstance(law, CompiledLaw):
+        return in_python(law)
+    model = law_model(robot)
+
+    def call(arrays: Mapping[str, Array]) -> None:
+        now = LawInput(0.0, arrays["ref"], arrays["meas"], payload, arrays["aux"], arrays["sensed"], model)
+        arrays["out"][:] = law.step(now, arrays["state"])
+
+    return call
 
 
 def _differences(function: Callable[[Array], Array], values: Array) -> Array:

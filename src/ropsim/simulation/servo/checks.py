@@ -104,7 +104,9 @@ def check_law(law: CompiledLaw, robot: RobotModel) -> None:
         ServoArrayError: its parameters do not.
         LawError: its traits do not fit.
     """
-    misfit = _misfit(law.traits, robot)
+    misfit = _misfit(law.traits, robot) or _unsensed(law.traits, robot)
+    if law.model and law.model.robot.n != robot.n:
+        misfit = f"has a model of {law.model.robot.n} axes, the arm has {robot.n}"
     if misfit:
         hint = "look at the `traits` of the law"
         raise LawError(LAW_DOES_NOT_FIT.at(None, f"law `{law.name}` {misfit}", hint=hint))
@@ -126,6 +128,20 @@ def _misfit(traits: LawTraits, robot: RobotModel) -> str:
         return f"names row {traits.hold_row} as `hold_row`, but has {rows} rows of state"
     if not isinstance(traits.delay, int) or not 0 <= traits.delay <= MOST_DELAY:
         return f"has a delay of {traits.delay!r}; allowed are 0 to {MOST_DELAY} control ticks"
+    return ""
+
+
+def _unsensed(traits: LawTraits, robot: RobotModel) -> str:
+    """Return the state that a law reads and a drive does not have, as text; empty if there is none."""
+    axes = range(robot.n) if traits.sensed_axes is None else traits.sensed_axes
+    for axis in axes:
+        if not 0 <= axis < robot.n:
+            return f"names axis {axis} in `sensed_axes`; the arm has axes 0 to {robot.n - 1}"
+        there = [column.name for column in chain_of(robot.drives[axis]).states]
+        for name in traits.sensed:
+            if name not in there:
+                has = f"only {', '.join(f'`{one}`' for one in there)}" if there else "nothing to be sensed"
+                return f"reads `{name}`: the drive of joint `{robot.axis_joints[axis].name}` has {has}"
     return ""
 
 

@@ -43,6 +43,23 @@ off by a power of ten.
     Category.UNFINISHED,
 )
 
+CAME_APART = define(
+    "S706",
+    "closed-chain-came-apart",
+    Severity.ERROR,
+    "a closed chain of the simulated arm has come apart",
+    """
+The run ends there, as with a state that is not finite (S701).
+
+After each step of the integration positions and speeds are put back on the closed chains, to 1e-9 m or rad.
+Where that fails the chain moves too fast for the step, or it is torn to where its links do not reach.
+
+Raise `plant_steps` under `[controller]`; look for a body of a chain with next to no inertia, for a reference
+beyond the reach of the chain, or for drives that are much too strong.
+""",
+    Category.UNFINISHED,
+)
+
 STEEP_FRICTION = define(
     "S705",
     "friction-too-steep",

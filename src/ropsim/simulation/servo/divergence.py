@@ -4,8 +4,9 @@ from collections.abc import Callable
 
 import numpy as np
 
+from ropsim.dynamics import GAP
 from ropsim.model import Rates, RobotModel
-from ropsim.simulation.servo.diagnostics import DIVERGED, DivergedError
+from ropsim.simulation.servo.diagnostics import CAME_APART, DIVERGED, DivergedError
 from ropsim.simulation.servo.state import ServoState, StateLayout
 from ropsim.simulation.servo.stiffness import STEEP_HINT, steep_axes, steep_words
 from ropsim.spatial import Array
@@ -15,8 +16,10 @@ LARGEST = 1e12
 
 
 def is_sound(values: Array, layout: StateLayout) -> bool:
-    """Return whether all of a state vector is finite, and what is integrated not beyond all bounds."""
+    """Return whether a state vector is finite, not beyond all bounds, and its closed chains are closed."""
     integrated = values[: layout.integrated]
+    if layout.passive and not values[layout.loops.gap] <= GAP:
+        return False
     return bool((np.abs(integrated) < LARGEST).all() and np.isfinite(values).all())
 
 
@@ -52,6 +55,8 @@ def diverged(robot: RobotModel, state: ServoState, rates: Rates) -> DivergedErro
         rates: of its controller.
     """
     time = state.tick / rates.control_hz
+    if _is_apart(state):
+        return _apart(robot, state, time)
     what = _first(robot, state.layout, state.values)
     when = f"{time:.6g} s (control tick {state.tick})"
     message = f"{what} at {when}; all numbers must be finite, and in SI units below {LARGEST:g}"
@@ -62,6 +67,25 @@ def diverged(robot: RobotModel, state: ServoState, rates: Rates) -> DivergedErro
     return DivergedError(
         DIVERGED.at(None, message, hint=hint, data={"time_s": time, "tick": state.tick, "what": what})
     )
+
+
+def _is_apart(state: ServoState) -> bool:
+    """Return whether all numbers are finite, and only the closed chains are not closed."""
+    layout, values = state.layout, state.values
+    integrated = values[: layout.integrated]
+    return bool(layout.passive and np.isfinite(values).all() and (np.abs(integrated) < LARGEST).all())
+
+
+def _apart(robot: RobotModel, state: ServoState, time: float) -> DivergedError:
+    """Return the error of a state whose closed chains have come apart."""
+    gap = float(state.values[state.layout.loops.gap])
+    message = (
+        f"closed chains of `{robot.name}` are {gap:.3g} (m, rad) apart at {time:.6g} s "
+        f"(control tick {state.tick}); allowed are {GAP:g}"
+    )
+    hint = "look for a chain at the end of its reach, or raise `plant_steps`"
+    data = {"time_s": time, "tick": state.tick, "gap": gap}
+    return DivergedError(CAME_APART.at(None, message, hint=hint, data=data))
 
 
 def _first(robot: RobotModel, layout: StateLayout, values: Array) -> str:

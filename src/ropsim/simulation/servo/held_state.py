@@ -6,7 +6,7 @@ import numpy as np
 
 from ropsim.codegen import Engine
 from ropsim.controller import LawTraits
-from ropsim.dynamics import SteadyDrive, compiled, steady_drive, structure_of
+from ropsim.dynamics import SteadyDrive, closed_coordinates, compiled, steady_drive, structure_of
 from ropsim.model import BacklashGear, Drive, ElasticGear, Hydraulic, Payload, RobotModel
 from ropsim.simulation.servo.state import StateLayout
 from ropsim.spatial import Array
@@ -32,9 +32,11 @@ def held_state(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Ar
         q: joint coordinates [rad | m], shape (n,).
         payload: tool and part.
     """
-    layout = StateLayout.of(structure_of(robot).drives, LawTraits())
+    layout = StateLayout.of(structure_of(robot), LawTraits())
     x, u = np.zeros(layout.integrated), np.empty(robot.n)
     x[: robot.n] = q
+    if robot.cuts:
+        x[list(layout.loops.passive)] = closed_coordinates(robot, q)
     for axis, held in enumerate(held_drives(robot, q, payload)):
         x[list(layout.drive(axis))] = held.states
         u[axis] = held.output

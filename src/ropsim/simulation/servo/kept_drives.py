@@ -108,7 +108,8 @@ class KeptDrives:
             recorder: gets the rows of these ticks.
             aux: values of the signals that the law reads, shape (ticks, a).
         """
-        key = station, state.values.tobytes(), fingerprint(payload), reference.ticks
+        when = state.tick if servo.sensors.is_timed else 0
+        key = station, state.values.tobytes(), fingerprint(payload), (reference.ticks, when)
         driven = self._kept.get(key)
         if driven is None or not (_are_same(driven.reference, reference) and _same(driven.aux, aux)):
             self.anew += reference.ticks

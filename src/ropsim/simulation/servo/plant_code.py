@@ -1,5 +1,6 @@
 """Drives and arm as source: straight-line code, or loops over the joints of a long arm."""
 
+from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
@@ -10,9 +11,12 @@ from ropsim.core import frozen_dataclass
 from ropsim.dynamics import (
     ArmStructure,
     Carried,
+    LoopState,
     arm_numbers,
     chain_acceleration_code,
     chain_numbers,
+    motion_code,
+    plant_formulas,
     sides_of,
     structure_of,
     trace_arm,
@@ -41,7 +45,7 @@ class LongPlantCode:
     @property
     def functions(self) -> tuple[SourceFunction, ...]:
         """Return the functions of the plant; each takes `constants` before its last argument."""
-        n, size = self.structure.n, StateLayout.of(self.structure.drives, LawTraits()).integrated
+        n, size = self.structure.n, StateLayout.of(self.structure, LawTraits()).integrated
         text = f"""\
 def derivative(x, u, constants, dx):
     side = np.empty({size})
@@ -59,6 +63,30 @@ def derivative(x, u, constants, dx):
     def constants(self, numbers: Array) -> Array:
         """Return the constants of the functions for the numbers of an arm of this structure."""
         return np.concatenate([self.drives.constants(numbers), chain_numbers(self.structure, numbers)])
+
+
+@frozen_dataclass
+class ClosedPlantCode:
+    """Counterpart of `GivenCode` for an arm with closed chains; see `dynamics.motion_code`.
+
+    Attributes:
+        traced: the functions that are straight-line code.
+        state: where coordinates and speeds stand in the state.
+        rows: number of directions that cuts hold.
+    """
+
+    traced: GivenCode
+    state: LoopState
+    rows: int
+
+    @property
+    def functions(self) -> tuple[SourceFunction, ...]:
+        """Return the functions of the plant, and `settle`; all have `constants` before the last argument."""
+        return (*self.traced.functions, *motion_code(self.state, self.rows))
+
+    def constants(self, numbers: Array) -> Array:
+        """Return the constants of the functions for the numbers of an arm of this structure."""
+        return self.traced.constants(numbers)
 
 
 @frozen_dataclass
@@ -84,7 +112,7 @@ class _Traced:
     @classmethod
     def of(cls, tracer: Tracer, structure: ArmStructure) -> "_Traced":
         n, chains = structure.n, structure.drives
-        layout = StateLayout.of(chains, LawTraits())
+        layout = StateLayout.of(structure, LawTraits())
         numbers = traced_numbers(tracer, structure).drives
         x = tracer.variables("x", layout.integrated)
         command, u = tracer.variables("command", n), tracer.variables("u", n)
@@ -108,12 +136,13 @@ class _Traced:
 
 
 @lru_cache(maxsize=64)
-def plant_code(structure: ArmStructure) -> GivenCode | LongPlantCode:
+def plant_code(structure: ArmStructure) -> GivenCode | LongPlantCode | ClosedPlantCode:
     """Return `amplify`, `derivative`, `efforts` and `observe` of arm and drives.
 
     `amplify(command, constants, u)` computes the output of the amplifiers; `derivative(x, u, constants, dx)`
     the rates of the integrated part of the state; `efforts(x, u, constants, tau)` the torques of the drives
-    at the joints; `observe(x, u, constants, row)` a row of the log without the reference.
+    at the joints; `observe(x, u, constants, row)` a row of the log without the reference. An arm with closed
+    chains also has `settle(x, constants)`.
     """
     tracer = Tracer()
     drives = _Traced.of(tracer, structure)
@@ -125,11 +154,34 @@ def plant_code(structure: ArmStructure) -> GivenCode | LongPlantCode:
     if structure.is_long:
         sides = Formula("drives", ("x", "u", "side"), _sides(drives))
         return LongPlantCode(structure, GivenCode.of(*others, sides))
+    if structure.cuts:
+        return _closed(tracer, structure, drives, others)
     arm = trace_arm(tracer, structure, traced_numbers(tracer, structure), drives.x[drives.layout.q])
     qd = drives.x[drives.layout.qd]
     rates = [*qd, *trace_forward(arm, qd, drives.tau, sides_of(tracer, drives.carried))]
     results = [*((f"dx[{k}]", rate) for k, rate in enumerate(rates)), *drives.rates("dx")]
     return GivenCode.of(*others, Formula("derivative", ("x", "u", "dx"), results))
+
+
+def _closed(
+    tracer: Tracer, structure: ArmStructure, drives: _Traced, others: Sequence[Formula]
+) -> ClosedPlantCode:
+    x, state = drives.x, drives.layout.loops
+    arm = trace_arm(
+        tracer, structure, traced_numbers(tracer, structure), [x[place] for place in state.places]
+    )
+    speeds = [x[place] for place in state.speed_places]
+    sides = sides_of(tracer, drives.carried)
+    net = [tau - side.friction.under(tau) for tau, side in zip(drives.tau, sides, strict=True)]
+    rates = dict(drives.rates(""))
+    plant = plant_formulas(
+        arm,
+        structure.cuts,
+        speeds,
+        (net, [side.inertia for side in sides]),
+        [rates[f"[{place}]"] for place in state.rates],
+    )
+    return ClosedPlantCode(GivenCode.of(*others, *plant), state, structure.rows)
 
 
 def observe(robot: RobotModel, x: Array, u: Array, row: Array) -> None:

@@ -8,13 +8,16 @@ import numpy as np
 
 from ropsim.controller import LawTraits
 from ropsim.dynamics import (
+    GAP,
     free_inertias,
     friction_steepness,
     mass_matrices,
     rotor_inertias,
+    spring_lengths,
+    spring_numbers,
     structure_of,
 )
-from ropsim.kinematics import configurations
+from ropsim.kinematics import configurations, loop_gaps
 from ropsim.model import Payload, Rates, RobotModel
 from ropsim.simulation.servo.held_state import SMALL, held_state, without_dead_zones
 from ropsim.simulation.servo.plant_code import plant_sides
@@ -91,7 +94,9 @@ def friction_rates(robot: RobotModel) -> FrictionRates:
     Raises:
         MissingMassError: M590 or M591, the arm, or what an axis moves, has no inertia.
     """
-    inertias = free_inertias(robot, configurations(robot, _FRICTION_SAMPLES)).min(axis=0)
+    Q = np.vstack((robot.home, configurations(robot, _FRICTION_SAMPLES)))
+    reached = Q[loop_gaps(robot, Q) <= GAP] if robot.cuts else Q[1:]
+    inertias = free_inertias(robot, reached).min(axis=0)
     pairs = zip(robot.drives, robot.home.tolist(), strict=True)
     slopes, springs = np.array([friction_steepness(drive, q) for drive, q in pairs]).T
     return FrictionRates(frozen(slopes), frozen(springs), frozen(inertias))
@@ -112,15 +117,25 @@ def fastest_pole(robot: RobotModel) -> float:
         MissingMassError: M590, no link has a mass.
     """
     robot = without_dead_zones(robot)
-    layout = StateLayout.of(structure_of(robot).drives, LawTraits())
+    layout = StateLayout.of(structure_of(robot), LawTraits())
     Q = np.vstack((robot.home, configurations(robot, _SAMPLES)))
+    if robot.cuts:
+        Q = Q[loop_gaps(robot, Q) <= GAP]
     links = mass_matrices(robot, Q) - rotor_inertias(robot, Q)[:, :, np.newaxis] * np.eye(robot.n)
-    poles = [_magnitudes(robot, layout, q, inertia) for q, inertia in zip(Q, links, strict=True)]
+    springs = _springs(robot, Q)
+    poles = [_magnitudes(robot, layout, *one) for one in zip(Q, links, springs, strict=True)]
     fastest = float(np.max(poles))
     return fastest if isfinite(fastest) else inf
 
 
-def _magnitudes(robot: RobotModel, layout: StateLayout, q: Array, links: Array) -> Array:
+def _springs(robot: RobotModel, Q: Array) -> Array:
+    """Return how efforts at the axes change with coordinates and speeds by springs, shape (k, n, 2·n)."""
+    slopes, numbers = spring_lengths(robot, Q).slopes, spring_numbers(robot).reshape(-1, 3)
+    pulled = [slopes.transpose(0, 2, 1) @ (numbers[:, k, np.newaxis] * slopes) for k in (0, 2)]
+    return -np.concatenate(pulled, axis=2)
+
+
+def _magnitudes(robot: RobotModel, layout: StateLayout, q: Array, links: Array, springs: Array) -> Array:
     """Return the magnitudes of the poles at a configuration [1/s], all inf where an axis moves nothing."""
     n, size = robot.n, layout.integrated
     x, u = held_state(robot, q, Payload())
@@ -140,6 +155,7 @@ def _magnitudes(robot: RobotModel, layout: StateLayout, q: Array, links: Array) 
             own = list(drives[axis])
             forces[axis, place] = change[axis] / (2.0 * step[place])
             A[own, place] = change[own] / (2.0 * step[place])
+    forces[:, : 2 * n] += springs
     try:
         A[n : 2 * n] = np.linalg.solve(mass, forces)
         return np.asarray(np.abs(np.linalg.eigvals(A)))

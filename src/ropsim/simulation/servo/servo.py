@@ -6,17 +6,27 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.codegen import Compiled, Engine, StoppedError, bound, default_engine, load
-from ropsim.controller import CompiledLaw, LawInput, PythonLaw, compiled_half, failed, law_of, rehearse
+from ropsim.controller import (
+    CompiledLaw,
+    LawInput,
+    PythonLaw,
+    compiled_half,
+    failed,
+    law_model,
+    law_of,
+    rehearse,
+)
 from ropsim.core import RopsimError
 from ropsim.dynamics import (
     arm_numbers,
     barycentric,
     check_model,
+    closed_coordinates,
     identifier,
     structure_of,
 )
 from ropsim.flow import JointReference
-from ropsim.model import ControllerModel, Payload, Rates, RobotModel
+from ropsim.model import ControllerKind, ControllerModel, Payload, Rates, RobotModel
 from ropsim.simulation.servo.checks import (
     check_aux,
     check_drives,
@@ -34,8 +44,9 @@ from ropsim.simulation.servo.judged import full_values
 from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
 from ropsim.simulation.servo.recorder import Recorder
+from ropsim.simulation.servo.sensing import Sensing, Sensors, is_timed, sensing_of, sensor_rows
 from ropsim.simulation.servo.slice_log import Log
-from ropsim.simulation.servo.source import servo_functions
+from ropsim.simulation.servo.source import NO_SENSORS, frame_rows, servo_functions
 from ropsim.simulation.servo.state import ServoState, StateLayout
 from ropsim.spatial import Array
 
@@ -59,6 +70,7 @@ class Servo:
         layout: of the state vector.
         control_hz: control ticks per second.
         plant_steps: integration steps per control tick.
+        sensors: that stand between the arm and the law.
         kernel: the compiled slice.
         bench: arrays shared by its calls.
     """
@@ -69,6 +81,7 @@ class Servo:
     layout: StateLayout
     control_hz: int
     plant_steps: int
+    sensors: Sensors
     kernel: Compiled
     bench: "_Bench"
 
@@ -105,12 +118,18 @@ class Servo:
         python_law = None if isinstance(chosen, CompiledLaw) else chosen
         inner = compiled_half(chosen, np.zeros(robot.n))
         check_law(inner, robot)
-        kernel = _kernel(robot, inner, engine or default_engine(), law)
-        layout = StateLayout.of(structure_of(robot).drives, inner.traits)
+        sensing = sensing_of(controller, inner)
+        own = chosen if law is not None or controller.kind is ControllerKind.FILE else None
+        kernel = _kernel(
+            robot, inner, sensing if python_law is None else NO_SENSORS, engine or default_engine(), own
+        )
+        layout = StateLayout.of(structure_of(robot), inner.traits, sensing.kept)
         steps = plant_steps_of(robot, controller.rates)
         rates = replace(controller.rates, plant_steps=steps)
-        bench = _Bench.of(kernel, inner, layout, rates, robot)
-        return cls(robot, inner, python_law, layout, rates.control_hz, steps, kernel, bench)
+        numbers = sensor_rows(controller, inner)
+        bench = _Bench.of(kernel, inner, numbers, layout, rates, robot)
+        sensors = Sensors(sensing, numbers, is_timed(controller, inner))
+        return cls(robot, inner, python_law, layout, rates.control_hz, steps, sensors, kernel, bench)
 
     @property
     def period(self) -> float:
@@ -129,6 +148,7 @@ class Servo:
 
         Raises:
             ServoArrayError: `q` has another shape or is not finite.
+            LoopError: M592, closed chains do not close there.
         """
         n = self.robot.n
         start = check_vector("q", q, n)
@@ -136,6 +156,8 @@ class Servo:
         values = np.zeros(layout.size)
         values[layout.q] = start
         layout.in_force(values)[0] = start
+        if self.robot.cuts:
+            values[list(layout.loops.passive)] = closed_coordinates(self.robot, start)
         memory, pending = layout.memory(values), layout.waiting(values)
         for k, held in enumerate(held_drives(self.robot, start, payload)):
             values[list(layout.drive(k))] = held.states
@@ -143,7 +165,12 @@ class Servo:
             pending[:, k] = held.command
             if self.law.traits.hold_row is not None:
                 memory[self.law.traits.hold_row, k] = held.command
-        return ServoState(0, values, layout)
+        state = ServoState(0, values, layout)
+        if layout.sensor_rows:
+            values.flags.writeable = True
+            self.sensors.begin(self._frame(state), layout.kept(values))
+            values.flags.writeable = False
+        return state
 
     def recorder(self, start: ServoState, decimation: int = 1) -> Recorder:
         """Return a recorder that begins at `start` and keeps one row per `decimation` control ticks.
@@ -237,14 +264,19 @@ class Servo:
     ) -> None:
         """Run one tick per slice, each with the output of the law in Python as its only parameter."""
         n, memory = self.robot.n, self.layout.memory(self.bench.values)
+        model = law_model(self.robot)
         for k in range(len(signals)):
             before = ServoState(state.tick + k, self.bench.values.copy(), self.layout)
+            frame = self._frame(before)
+            self.sensors.measure(frame, self.layout.kept(self.bench.values), before.tick)
             now = LawInput(
                 before.tick * self.period,
                 before.reference.copy(),
-                self._measured(before),
+                frame[:3],
                 payload,
                 signals[k].copy(),
+                frame[4:],
+                model,
             )
             try:
                 answer = law.step(now, memory)
@@ -256,10 +288,16 @@ class Servo:
             q, qd, qdd = (array[k : k + 1] for array in reference)
             self._advance(before, (q, qd, qdd), signals[k : k + 1], payload, recorder)
 
-    def _measured(self, state: ServoState) -> Array:
-        """Return coordinates of joints, speeds as measured at the motors, torques of drives, shape (3, n)."""
+    def _frame(self, state: ServoState) -> Array:
+        """Return true values of what a law is given, shape (4 + r, n).
+
+        These are coordinates of joints, speeds as measured at the motors, torques of drives, a row of zeros,
+        and the states of the drives that the law reads.
+        """
+        found = self.layout.sensed(self.law.traits.sensed)
+        rows = [[0.0 if one is None else state.values[one] for one in places] for places in found]
         speeds = state.values[list(self.layout.measured_speeds)]
-        return np.array((state.q, speeds, self.efforts(state)))
+        return np.array([state.q, speeds, self.efforts(state), np.zeros(self.robot.n), *rows])
 
     def efforts(self, state: ServoState) -> Array:
         """Return the torques of the drives at the joints in a state [N·m | N], shape (n,)."""
@@ -278,7 +316,7 @@ class _Bench:
 
     Attributes:
         values: the state vector while it is worked on.
-        parameters: of the law.
+        parameters: of the law, and below them its model and the sensors.
         slice: the compiled slice with room to work in, parameters of the law and rates.
         slices: the same for a payload.
     """
@@ -290,22 +328,33 @@ class _Bench:
 
     @classmethod
     def of(
-        cls, kernel: Compiled, law: CompiledLaw, layout: StateLayout, rates: Rates, robot: RobotModel
+        cls,
+        kernel: Compiled,
+        law: CompiledLaw,
+        sensors: Array,
+        layout: StateLayout,
+        rates: Rates,
+        robot: RobotModel,
     ) -> "_Bench":
-        values, parameters = np.zeros(layout.size), np.array(law.parameters)
-        state = (values, layout.in_force(values), layout.waiting(values), layout.memory(values))
+        values, model = np.zeros(layout.size), law.model.rows if law.model else sensors[:0]
+        parameters = np.vstack((law.parameters, model, sensors))
+        state = (values, layout.in_force(values), layout.waiting(values), layout.remembered(values))
         ends, full = np.array([robot.lower_limits, robot.upper_limits]), full_values(robot)
-        room = (np.zeros((4, layout.n)), np.zeros((5, layout.integrated)), np.zeros(len(full)))
+        room = (np.zeros((frame_rows(law), layout.n)), np.zeros((5, layout.integrated)), np.zeros(len(full)))
         given = (*state, parameters, *room, ends, full, rates.plant_steps, 1.0 / rates.control_hz)
         made = bound(kernel, *given)
         return cls(values, parameters, made, {})
 
 
 def _kernel(
-    robot: RobotModel, law: CompiledLaw, engine: Engine, own: CompiledLaw | PythonLaw | None
+    robot: RobotModel,
+    law: CompiledLaw,
+    sensing: Sensing,
+    engine: Engine,
+    own: CompiledLaw | PythonLaw | None,
 ) -> Compiled:
     """Return the compiled slice; `own` is the law of a user, which is tried first."""
-    functions = servo_functions(structure_of(robot), law)
+    functions = servo_functions(structure_of(robot), law, sensing)
     name = f"{identifier(robot.name)}_servo_{law.name}"
     if not isinstance(own, CompiledLaw):
         return load(name, functions, engine)

@@ -1,13 +1,13 @@
 """The source of a servo slice: plant, law of the joint controller, and the loops around them."""
 
-from ropsim.codegen import Bounds, SourceFunction
-from ropsim.controller import CompiledLaw, LawTraits
+from ropsim.codegen import SourceFunction
+from ropsim.controller import CompiledLaw, law_code, law_functions
 from ropsim.dynamics import ArmStructure
 from ropsim.simulation.servo.log import LogLayout, floors
 from ropsim.simulation.servo.plant_code import plant_code
+from ropsim.simulation.servo.sensing import Sensing
 from ropsim.simulation.servo.state import StateLayout
 
-LAW_SIGNATURE = "void(f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[::1], f8[::1])"
 SLICE_SIGNATURE = (
     "void(f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[::1], f8[:,::1],"
     " f8[::1], i8, f8, f8[::1], f8[::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], f8[:,::1], i8, i8, i8,"
@@ -15,29 +15,37 @@ SLICE_SIGNATURE = (
 )
 
 
-def servo_functions(structure: ArmStructure, law: CompiledLaw) -> tuple[SourceFunction, ...]:
+NO_SENSORS = Sensing(())
+
+
+def servo_functions(
+    structure: ArmStructure, law: CompiledLaw, sensing: Sensing = NO_SENSORS
+) -> tuple[SourceFunction, ...]:
     """Return the functions of the slice module; `run_slice` is the last."""
     return (
         *plant_code(structure).functions,
-        *law.functions,
-        SourceFunction("law", LAW_SIGNATURE, law.source, Bounds.CHECKED),
-        SourceFunction("run_slice", SLICE_SIGNATURE, _slice_text(structure, law.traits)),
+        *sensing.functions,
+        *law_functions(law),
+        law_code(law).function,
+        SourceFunction("run_slice", SLICE_SIGNATURE, _slice_text(structure, law, sensing)),
     )
 
 
-def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
+def _slice_text(structure: ArmStructure, law: CompiledLaw, sensing: Sensing) -> str:
     """Return `run_slice`: law, amplifiers and `plant_steps` Runge-Kutta steps for every tick, log and tally.
 
-    The steps are as in the classical method. The law receives the values at the beginning of a tick: the
-    reference in force and the measurement. At its end the next row of the reference comes into force. A row
-    of the log holds the values at that time, and the output of the amplifiers over the tick. `values` is the
-    state vector; `ref`, `pending` and `memory` are parts of it by rows; `frame` (4, n), `stages` (5, m) and
-    `now` (w,) are work arrays. Every tick enters the tally (4, w): `ends` (2, n) are the ranges of the
-    joints, `full` (w,) are the values that count as limits; for pressures, the judged quantity is the
-    distance below the limit. Arguments that rarely change come first.
+    The steps are as in the classical method; closed chains are settled after each. The law receives the
+    values at the beginning of a tick: the reference in force and the measurement. At its end the next row
+    of the reference comes into force. A row of the log holds the values at that time, and the output of
+    the amplifiers over the tick. `values` is the state vector; `ref`, `pending` and `memory` are parts of
+    it by rows; `par` are the parameters of the law, and below them the rows of its model; `frame` (4 + r,
+    n), `stages` (5, m) and `now` (w,) are work arrays, the last r rows of the frame for what the law
+    reads of the drives and for its own work. Every tick enters the tally (4, w): `ends` (2, n) are the
+    ranges of the joints, `full` (w,) are the values that count as limits; for pressures, the judged
+    quantity is the distance below the limit. Arguments that rarely change come first.
     """
-    n = structure.n
-    layout = StateLayout.of(structure.drives, traits)
+    n, traits = structure.n, law.traits
+    layout = StateLayout.of(structure, traits)
     size = layout.integrated
     motors = [
         f"seen[1, {axis}] = x[{place}]"
@@ -45,7 +53,16 @@ def _slice_text(structure: ArmStructure, traits: LawTraits) -> str:
         if place != n + axis
     ]
     at_motors = "".join(f"\n        {line}" for line in motors)
+    sensed = "".join(
+        f"\n        given[{row}, {axis}] = x[{place}]"
+        for row, places in enumerate(layout.sensed(traits.sensed))
+        for axis, place in enumerate(places)
+        if place is not None
+    )
+    arguments, rows = _arguments(law, sensing)
+    measured = "\n        measure(frame, sensors, kept, tick + k)" if sensing.channels else ""
     amplified = _delayed(n, traits.delay) if traits.delay else "amplify(out, constants, u)"
+    settled = "\n            settle(x, constants)" if structure.cuts else ""
     log = LogLayout.of(structure.drives)
     q_ref, qd_ref = log.field("q_ref").first, log.field("qd_ref").first
     q = log.field("q").first
@@ -61,7 +78,7 @@ def run_slice(
     q_ref, qd_ref, qdd_ref, aux, log, tick, decimation, log_row, tally,
 ):
     x, u = values[:{size}], values[{size}:{size + n}]
-    seen, out = frame[:3], frame[3]
+    seen, out = frame[:3], frame[3]{rows}
     y, k1, k2, k3, k4 = stages[0], stages[1], stages[2], stages[3], stages[4]
     h = period / plant_steps
     half = 0.5 * h
@@ -71,8 +88,8 @@ def run_slice(
         for j in range({n}):
             seen[0, j] = x[j]
             seen[1, j] = x[{n} + j]{at_motors}
-        efforts(x, u, constants, seen[2])
-        law(par, memory, ref, seen, load, aux[k], out)
+        efforts(x, u, constants, seen[2]){sensed}{measured}
+        law({arguments})
         {amplified}
         for _ in range(plant_steps):
             derivative(x, u, constants, k1)
@@ -86,7 +103,7 @@ def run_slice(
                 y[j] = x[j] + h * k3[j]
             derivative(y, u, constants, k4)
             for j in range({size}):
-                x[j] += sixth * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j])
+                x[j] += sixth * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j]){settled}
         for j in range({n}):
             ref[0, j] = q_ref[k, j]
             ref[1, j] = qd_ref[k, j]
@@ -122,3 +139,34 @@ amplify(pending[0], constants, u)
                 pending[d, j] = pending[d + 1, j]
         for j in range({n}):
             pending[{delay - 1}, j] = out[j]"""
+
+
+def frame_rows(law: CompiledLaw) -> int:
+    """Return the rows of the frame of a slice."""
+    return 4 + len(law.traits.sensed) + len(law.work_names)
+
+
+def _arguments(law: CompiledLaw, sensing: Sensing) -> tuple[str, str]:
+    """Return the arguments of the call of a law, and the statements that make the arrays only some have."""
+    first, last = len(law.parameter_names), 4 + len(law.traits.sensed)
+    end = first + (len(law.model.rows) if law.model else 0)
+    below = first + (len(law.model.drive_names) if law.model else 0)
+    made = {
+        "sensed": ("given", f"given = frame[4:{last}]"),
+        "work": ("work", f"work = frame[{last}:{frame_rows(law)}]"),
+        "drive": ("drive", f"drive = par[{first}:{below}]"),
+        "model": ("model", f"model = par[{below}:{end}].reshape(-1)"),
+    }
+    names = {"par": "par", "state": "memory", "meas": "seen", "aux": "aux[k]"}
+    if law.model or sensing.channels:
+        names["par"] = f"par[:{first}]"
+    names |= {name: used for name, (used, _) in made.items()}
+    arguments = law_code(law).arguments
+    needed = [text for name, (_, text) in made.items() if name in arguments]
+    if law.traits.sensed and made["sensed"][1] not in needed:
+        needed.append(made["sensed"][1])
+    if sensing.channels:
+        rows = len(law.traits.state_names)
+        needed += [f"sensors = par[{end}:]", f"kept = memory[{rows}:]"]
+        names["state"] = f"memory[:{rows}]"
+    return ", ".join(names.get(name, name) for name in arguments), "".join(f"\n    {one}" for one in needed)

@@ -2,7 +2,7 @@
 
 from ropsim.controller import LawTraits
 from ropsim.core import frozen_dataclass
-from ropsim.dynamics import DriveChain
+from ropsim.dynamics import ArmStructure, LoopState
 from ropsim.simulation.records.fields import Field, fields
 from ropsim.spatial import Array, record
 
@@ -14,9 +14,10 @@ MOTOR_SPEED = "motor_speed"
 class StateLayout:
     """Where things stand in the state vector.
 
-    In order: q, qd, states of the drives, outputs of their amplifiers, the reference in force, outputs of the
-    law that do not act yet, states of the law. The first three are integrated; the others change at control
-    ticks.
+    In order: q, qd, states of the drives, and of closed chains the coordinates that they determine, their
+    speeds and what is left between their frames; outputs of the amplifiers, the reference in force, outputs
+    of the law that do not act yet, states of the law, those of the sensors. All before the outputs of the
+    amplifiers is integrated; the others change at control ticks.
 
     Attributes:
         n: number of joints.
@@ -24,6 +25,8 @@ class StateLayout:
         integrated: how many numbers the equations of motion have.
         delay: rows of n outputs on their way from the law to the amplifiers, the oldest first.
         law_rows: rows of n numbers that the law remembers.
+        sensor_rows: rows of n numbers that sensors hold, or that are on their way from them.
+        passive: number of coordinates that closed chains determine.
     """
 
     n: int
@@ -31,20 +34,24 @@ class StateLayout:
     integrated: int
     delay: int
     law_rows: int
+    sensor_rows: int = 0
+    passive: int = 0
 
     @classmethod
-    def of(cls, chains: tuple[DriveChain, ...], traits: LawTraits) -> "StateLayout":
-        """Return the layout of an arm with these drives under a law."""
+    def of(cls, structure: ArmStructure, traits: LawTraits, sensor_rows: int = 0) -> "StateLayout":
+        """Return the layout of an arm of this structure, with drives, under a law whose sensors keep rows."""
+        chains, p = structure.drives, structure.passive
         n = len(chains)
         names = tuple(tuple(state.name for state in chain.states) for chain in chains)
         drives = fields(names, 2 * n)
         integrated = drives[-1].place.stop if drives else 2 * n
-        return cls(n, drives, integrated, traits.delay, len(traits.state_names))
+        integrated += 2 * p + 1 if p else 0
+        return cls(n, drives, integrated, traits.delay, len(traits.state_names), sensor_rows, p)
 
     @property
     def size(self) -> int:
         """Return the length of the vector."""
-        return self.integrated + (4 + self.delay + self.law_rows) * self.n
+        return self.integrated + (4 + self.delay + self.law_rows + self.sensor_rows) * self.n
 
     @property
     def q(self) -> slice:
@@ -55,6 +62,13 @@ class StateLayout:
     def qd(self) -> slice:
         """Return the place of the joint speeds [rad/s | m/s]."""
         return slice(self.n, 2 * self.n)
+
+    @property
+    def loops(self) -> LoopState:
+        """Return the places of all coordinates and speeds, in an arm with closed chains."""
+        p, gap = self.passive, self.integrated - 1
+        drives = range(2 * self.n, gap - 2 * p)
+        return LoopState(self.n, range(gap - 2 * p, gap - p), range(gap - p, gap), drives, gap)
 
     @property
     def output(self) -> slice:
@@ -76,7 +90,8 @@ class StateLayout:
     @property
     def law(self) -> slice:
         """Return the place of the states of the law, by rows."""
-        return slice(self.pending.stop, self.size)
+        first = self.pending.stop
+        return slice(first, first + self.law_rows * self.n)
 
     def in_force(self, values: Array) -> Array:
         """Return the reference in force, shape (3, n); a view of a state vector."""
@@ -90,6 +105,14 @@ class StateLayout:
         """Return the states of the law, shape (law_rows, n); a view of a state vector."""
         return values[self.law].reshape(self.law_rows, self.n)
 
+    def kept(self, values: Array) -> Array:
+        """Return what sensors hold, shape (sensor_rows, n); a view of a state vector."""
+        return values[self.law.stop :].reshape(self.sensor_rows, self.n)
+
+    def remembered(self, values: Array) -> Array:
+        """Return the states of the law and below them what sensors hold; a view of a state vector."""
+        return values[self.pending.stop :].reshape(-1, self.n)
+
     @property
     def measured_speeds(self) -> tuple[int, ...]:
         """Return the places of the speeds measured for a law: of the motor if it is a separate state."""
@@ -100,6 +123,14 @@ class StateLayout:
             for number, axis in enumerate(field.axes)
         }
         return tuple(motors.get(axis, self.n + axis) for axis in range(self.n))
+
+    def sensed(self, names: tuple[str, ...]) -> list[tuple[int | None, ...]]:
+        """Return for each name where that state of each drive stands; None for a drive without it."""
+        places = {
+            field.name: dict(zip(field.axes, range(field.first, field.place.stop), strict=True))
+            for field in self.drives
+        }
+        return [tuple(places.get(name, {}).get(axis) for axis in range(self.n)) for name in names]
 
     def drive(self, axis: int) -> tuple[int, ...]:
         """Return the places of the states of one drive, in the order of its chain."""

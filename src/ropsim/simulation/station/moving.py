@@ -119,6 +119,7 @@ def _follow(
             reached=one.reached,
             target=_commanded(at, one.X_MT) if tracking else motion.places[number],
             out_of_position=out,
+            free_orientation=one.move.has_free_orientation,
         )
         run.note(at, since, done)
         run.moved += 1

@@ -6,7 +6,15 @@ import numpy as np
 
 from ropsim.controller import CompiledLaw, PythonLaw
 from ropsim.flow import AxisFacts, AxisType, StationFacts
-from ropsim.model import ControllerModel, CurrentLoopMotor, Drive, JointType, RobotModel, ThermalDcMotor
+from ropsim.model import (
+    ControllerModel,
+    CurrentLoopMotor,
+    Drive,
+    JointType,
+    LawFile,
+    RobotModel,
+    ThermalDcMotor,
+)
 
 _TYPES = {JointType.REVOLUTE: AxisType.REVOLUTE, JointType.PRISMATIC: AxisType.PRISMATIC}
 
@@ -40,7 +48,8 @@ def with_law(
 ) -> StationFacts:
     """Return a station with the name of its joint controller; None is the law of the controller model."""
     if law is None:
-        return replace(station, law=controller.kind.value)
+        file = controller.gains
+        return replace(station, law=file.path if isinstance(file, LawFile) else controller.kind.value)
     return replace(station, law=law.name if isinstance(law, CompiledLaw) else type(law).__name__)
 
 

@@ -197,8 +197,8 @@ NO_TERM = define(
     "a task text cannot be kept in a knowledge base, or a task not be written as text",
     """
 Terms have forms for all statements but `return`, declarations, `wait until` with `else` and motions with
-`track`, and for all expressions but locations with a posture or with values of external axes. What else a
-task does is kept in a program.
+`track`, and for all expressions but locations with a posture, a free orientation or values of external axes.
+What else a task does is kept in a program.
 """,
 )
 

@@ -52,7 +52,8 @@ def term_of(node: nodes.Node, names: Mapping[str, str]) -> Term:  # noqa: PLR091
             return Struct("joints", tuple(term_of(one, names) for one in values))
         case nodes.Tuple():
             return _point(node, names)
-    raise NoTermError("a location with values of external axes")
+    what = "a free orientation" if isinstance(node, nodes.Free) else "values of external axes"
+    raise NoTermError(f"a location with {what}")
 
 
 def arguments_of(
@@ -93,7 +94,7 @@ def _negative(number: nodes.Number) -> Term:
 
 def _point(node: nodes.Tuple, names: Mapping[str, str]) -> Term:
     if node.posture is not None:
-        raise NoTermError("a location with a posture")
+        raise NoTermError("a location with a posture or a free orientation")
     if any(item.name is not None for item in node.items):
         raise NoTermError("a location whose numbers have names")
     numbers = tuple(term_of(item.value, names) for item in node.items)

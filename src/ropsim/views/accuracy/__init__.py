@@ -1,5 +1,8 @@
 """Figures of ISO 9283:1998 from commanded and attained poses: paths, their repeats, corners, stops."""
 
+from ropsim.views.accuracy.contours import ContourFigures as ContourFigures
+from ropsim.views.accuracy.contours import ContourRows as ContourRows
+from ropsim.views.accuracy.contours import contours as contours
 from ropsim.views.accuracy.corners import CornerFigures as CornerFigures
 from ropsim.views.accuracy.corners import corner_figures as corner_figures
 from ropsim.views.accuracy.matching import largest_angle as largest_angle

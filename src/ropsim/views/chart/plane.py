@@ -1,5 +1,7 @@
 """The path of the TCP in a plane as SVG, with equal scales on both axes."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import numpy.typing as npt
 
@@ -54,6 +56,27 @@ class PlaneChart:
     spots: tuple[Spot, ...]
 
 
+@record
+class ContourChart:
+    """A contour in its plane, and the attained path.
+
+    Attributes:
+        ident: unique name inside the page.
+        title: such as `lines 4-7`.
+        description: content of the picture, in a sentence.
+        axes: names of the horizontal and the vertical axis, with units.
+        wanted: the contour, shape (c, 2).
+        attained: the attained path, with its distance from the contour enlarged, shape (k, 2).
+    """
+
+    ident: str
+    title: str
+    description: str
+    axes: tuple[str, str]
+    wanted: Array
+    attained: Array
+
+
 @frozen_dataclass
 class _Frame:
     x0: float
@@ -76,15 +99,31 @@ def plane_chart(chart: PlaneChart) -> str:
     kept = along_curve(x, y, TOLERANCE / frame.scale, POINTS, np.concatenate((changes - 1, changes)))
     parts = [_grid(frame), _curve(frame, x[kept], y[kept], "c1"), _straight(frame, x, y, straight, kept)]
     parts += [_spot(frame, spot) for spot in chart.spots]
+    return _svg((chart.ident, chart.title, chart.description), chart.axes, parts)
+
+
+def contour_chart(chart: ContourChart) -> str:
+    """Return the chart as an SVG element: the contour, and over it what was attained."""
+    x, y = (np.concatenate((chart.wanted[:, k], chart.attained[:, k])) for k in (0, 1))
+    frame, parts = _fit(x, y), []
+    for way, color in ((chart.wanted, "c2"), (chart.attained, "c1")):
+        kept = along_curve(way[:, 0], way[:, 1], TOLERANCE / frame.scale, POINTS, np.arange(0))
+        parts.append(_curve(frame, way[kept, 0], way[kept, 1], color))
+    return _svg((chart.ident, chart.title, chart.description), chart.axes, [_grid(frame), *parts])
+
+
+def _svg(words: tuple[str, str, str], axes: tuple[str, str], parts: Sequence[str]) -> str:
+    """Return parts as an element with identity, title and description, and names of its axes."""
+    ident, title, description = words
     return (
         f'<svg class="plane" viewBox="0 0 {WIDTH:g} {HEIGHT:g}" role="img"'
-        f' aria-labelledby="{chart.ident}-t {chart.ident}-d">\n'
-        f'<title id="{chart.ident}-t">{text(chart.title)}</title>\n'
-        f'<desc id="{chart.ident}-d">{text(chart.description)}</desc>\n{"".join(parts)}'
+        f' aria-labelledby="{ident}-t {ident}-d">\n'
+        f'<title id="{ident}-t">{text(title)}</title>\n'
+        f'<desc id="{ident}-d">{text(description)}</desc>\n{"".join(parts)}'
         f'<text class="middle tick" x="{(LEFT + RIGHT) / 2:g}" y="{HEIGHT - 6:g}">'
-        f"{text(chart.axes[0])}</text>"
+        f"{text(axes[0])}</text>"
         f'<text class="middle tick" transform="translate(14 {(TOP + BOTTOM) / 2:g}) rotate(-90)">'
-        f"{text(chart.axes[1])}</text></svg>\n"
+        f"{text(axes[1])}</text></svg>\n"
     )
 
 

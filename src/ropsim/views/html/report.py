@@ -11,6 +11,7 @@ from ropsim.views.comparison import Comparison, comparison_section
 from ropsim.views.html.accuracy import accuracy_section
 from ropsim.views.html.cards import key_figures, station_figures
 from ropsim.views.html.charts import active_lines, figures
+from ropsim.views.html.contours import contour_section
 from ropsim.views.html.cursor import SCRIPT
 from ropsim.views.html.cycle import cycle_section
 from ropsim.views.html.definitions import DEFINITIONS
@@ -66,7 +67,7 @@ def html_report(
         ways_section(summary.facts),
         messages_section(messages(recording)),
         comparison_section(comparison),
-        *(_station(one, summary, sources) for one in summary.stations),
+        *(_station(one, recording, summary, sources) for one in summary.stations),
         _charts(recording, summary),
         _called(summary),
         _origins(summary),
@@ -112,7 +113,9 @@ def _header(name: str, summary: Summary) -> str:
     )
 
 
-def _station(station: StationSummary, summary: Summary, sources: Mapping[str, SourceText]) -> str:
+def _station(
+    station: StationSummary, recording: Recording, summary: Summary, sources: Mapping[str, SourceText]
+) -> str:
     """Return the tables of a station, headed by its name and key figures where there are several."""
     parts, facts, of = [], station.facts, ""
     if len(summary.stations) > 1:
@@ -130,6 +133,7 @@ def _station(station: StationSummary, summary: Summary, sources: Mapping[str, So
     parts.append(energy_section(station.energy, sources.get(facts.source), of))
     parts.append(drive_section(station.drives, of))
     parts.append(accuracy_section(station, of, sources.get(facts.source)))
+    parts.append(contour_section(station, recording, of))
     return "".join(parts)
 
 

@@ -14,6 +14,7 @@ _KEYS = {
     "attained": '<span class="key"><i></i>attained</span>',
     "command": '<span class="key"><i class="c2"></i>command</span>',
     "band": '<span class="key"><i class="band"></i>tool path</span>',
+    "contour": '<span class="key"><i class="c2"></i>contour</span>',
     "way": '<span class="key"><i></i>attained path</span>',
     "straight": '<span class="key"><i class="c2"></i>tool path</span>',
     "grip": '<span class="key"><i class="dot"></i>grip</span>',

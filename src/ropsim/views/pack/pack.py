@@ -18,6 +18,7 @@ from ropsim.spatial import Array
 from ropsim.views.pack.bodies import packed_bodies
 from ropsim.views.pack.channels import packed_channels
 from ropsim.views.pack.columns import Body
+from ropsim.views.pack.contours import packed_contours
 from ropsim.views.scene.shapes import plain_pose
 from ropsim.views.summary.result_figures import result_figures
 from ropsim.views.summary.summary import Summary
@@ -73,6 +74,7 @@ def pack(recording: Recording, cell: Cell, summary: Summary, findings: Iterable[
         "bodies": packed_bodies(recording, cell, times, body),
         "events": [packed_event(event) for event in recording.events],
         "findings": run_findings(recording, findings),
+        "contours": packed_contours(recording, summary),
         "result": asdict(result_figures(summary)),
         "facts": asdict(recording.facts),
     }

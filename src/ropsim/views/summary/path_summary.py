@@ -267,9 +267,11 @@ def _move(run: _Run, samples: Indices, ordinal: int, event: MoveEvent | None) ->
     """Return the figures of the samples `samples`; the event is None of a move that has not ended."""
     station, (command, attained), (wanted, had) = run.station, run.ways, run.turned
     worst = int(samples[np.argmax(run.error[samples])])
-    angle = largest_angle(
-        station.time[samples], (command[samples], wanted[samples]), (attained[samples], had[samples])
-    )
+    angle = math.nan
+    if event is None or not event.free_orientation:
+        angle = largest_angle(
+            station.time[samples], (command[samples], wanted[samples]), (attained[samples], had[samples])
+        )
     move = PathMove(
         station.facts.name,
         ordinal,

@@ -21,7 +21,15 @@ from ropsim.flow import (
     settling_of,
     waiting_of,
 )
-from ropsim.views.accuracy import CornerFigures, StopFigures, corner_figures, stop_figures
+from ropsim.views.accuracy import (
+    ContourFigures,
+    ContourRows,
+    CornerFigures,
+    StopFigures,
+    contours,
+    corner_figures,
+    stop_figures,
+)
 from ropsim.views.channels import StationView, station_views
 from ropsim.views.cycle import CycleTime, summarize_cycle
 from ropsim.views.summary.device_summary import TaskSummary, summarize_tasks
@@ -29,6 +37,9 @@ from ropsim.views.summary.drive_use import DriveUse, summarize_drives
 from ropsim.views.summary.energy_summary import EnergySummary, summarize_energy
 from ropsim.views.summary.joint_summary import JointSummary, summarize_joints
 from ropsim.views.summary.path_summary import PathSummary, summarize_path
+
+DRAWN_CONTOURS = 8
+"""Contours of a station that are drawn at most."""
 
 
 @frozen_dataclass
@@ -52,6 +63,8 @@ class StationSummary:
         path: accuracy of the moves with a path of the tool.
         corners: how corners are passed that are rounded, in order of time.
         stops: how moves come to rest, in order of time; of a kinematic run there are none.
+        contours: how true it was to tool paths that follow upon each other, in order of time; of a
+            kinematic run there are none.
         cycle: composition of its cycle time.
         is_driven: whether drives moved its arm; without them it is where its reference is, exactly, and
             nothing is known of settling, torques and accuracy.
@@ -74,6 +87,7 @@ class StationSummary:
     path: PathSummary
     corners: tuple[CornerFigures, ...]
     stops: tuple[StopFigures, ...]
+    contours: tuple[ContourFigures, ...] = ()
     cycle: CycleTime = field(default_factory=CycleTime)
     is_driven: bool = True
     energy: EnergySummary | None = None
@@ -148,6 +162,11 @@ class Figures(Protocol):
         """Return how moves come to rest."""
         ...
 
+    @property
+    def contours(self) -> tuple[ContourFigures, ...]:
+        """Return how true the arm was to tool paths that follow upon each other."""
+        ...
+
 
 def summarize_stations(recording: Recording) -> tuple[StationSummary, ...]:
     """Return the figures of each station of a run, in the order of the cell."""
@@ -155,6 +174,14 @@ def summarize_stations(recording: Recording) -> tuple[StationSummary, ...]:
         _station(_part(recording, facts), facts, summarize_cycle(recording, facts))
         for facts in recording.facts.stations
     )
+
+
+def drawn_contours(recording: Recording, station: StationSummary) -> list[tuple[ContourFigures, ContourRows]]:
+    """Return the contours of a station that are drawn, in order of time: those with the largest errors."""
+    views = (one for one in station_views(recording) if one.facts.name == station.facts.name)
+    found = [pair for view in views for pair in contours(view, station.stops)]
+    worst = sorted((one.path_max for one, _ in found), reverse=True)[:DRAWN_CONTOURS]
+    return [pair for pair in found if pair[0].path_max >= worst[-1]][:DRAWN_CONTOURS] if found else []
 
 
 def end_of(events: Iterable[Event]) -> float:
@@ -189,6 +216,7 @@ def _part(recording: Recording, facts: StationFacts) -> Recording:
 def _station(recording: Recording, facts: StationFacts, cycle: CycleTime) -> StationSummary:
     events = recording.events
     cycle_time, views = end_of(events), station_views(recording)
+    stops = tuple(one for station in views for one in stop_figures(station))
     return StationSummary(
         facts=facts,
         cycle_time=cycle_time,
@@ -204,7 +232,8 @@ def _station(recording: Recording, facts: StationFacts, cycle: CycleTime) -> Sta
         joints=summarize_joints(recording),
         path=summarize_path(recording),
         corners=tuple(one for station in views for one in corner_figures(station)),
-        stops=tuple(one for station in views for one in stop_figures(station)),
+        stops=stops,
+        contours=tuple(one for station in views for one, _ in contours(station, stops)),
         cycle=cycle,
         is_driven=any(station.is_driven for station in views),
         energy=_energy(views, cycle),

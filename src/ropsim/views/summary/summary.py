@@ -18,7 +18,7 @@ from ropsim.flow import (
     settling_of,
     waiting_of,
 )
-from ropsim.views.accuracy import CornerFigures, StopFigures
+from ropsim.views.accuracy import ContourFigures, CornerFigures, StopFigures
 from ropsim.views.channels import invalid_samples
 from ropsim.views.summary.device_summary import DeviceSummary, TaskSummary, summarize_devices, summarize_tasks
 from ropsim.views.summary.findings import FindingGroup, below_causes, group_findings
@@ -56,6 +56,7 @@ class Summary:
         path: accuracy of the moves with a path of the tool.
         corners: how corners are passed that are rounded, in order of time.
         stops: how moves come to rest, in order of time; of a kinematic run there are none.
+        contours: how true arms were to tool paths that follow upon each other; as `stops`.
         findings: grouped findings of compiling and of the run, worst severity first; consequences of a line
             follow the findings there.
         error_count: number of findings of severity error, repeats included.
@@ -85,6 +86,7 @@ class Summary:
     path: PathSummary
     corners: tuple[CornerFigures, ...]
     stops: tuple[StopFigures, ...]
+    contours: tuple[ContourFigures, ...]
     findings: tuple[FindingGroup, ...]
     error_count: int
     warning_count: int
@@ -178,6 +180,7 @@ def summarize(recording: Recording, before: Iterable[Diagnostic] = ()) -> Summar
         path=whole.path if whole else summarize_path(recording),
         corners=tuple(one for station in stations for one in station.corners),
         stops=tuple(one for station in stations for one in station.stops),
+        contours=tuple(one for station in stations for one in station.contours),
         findings=below_causes(sorted(groups, key=lambda group: group.first.severity.rank)),
         error_count=severities.count(Severity.ERROR),
         warning_count=severities.count(Severity.WARNING),

@@ -4,12 +4,13 @@ import math
 
 from ropsim.core import plural
 from ropsim.flow import SpeedCause
-from ropsim.views.accuracy import BAND, CornerFigures, StopFigures
+from ropsim.views.accuracy import BAND, ContourFigures, CornerFigures, StopFigures
 from ropsim.views.summary.findings import place_text
 from ropsim.views.summary.path_summary import PathMove, PathSummary
 from ropsim.views.summary.station_summary import Figures
-from ropsim.views.terminal.columns import Style, Tone, paint
-from ropsim.views.words.characters import clean
+from ropsim.views.terminal.columns import Style, TableCell, Tone, columns_text, paint
+from ropsim.views.words.characters import clean, fit
+from ropsim.views.words.contours import contour_name
 from ropsim.views.words.figures import (
     DEGREES,
     MILLIMETRES,
@@ -17,10 +18,14 @@ from ropsim.views.words.figures import (
     PERCENT,
     UNKNOWN,
     WITHOUT_DRIVES,
+    fixed,
     seconds,
     with_unit,
 )
 
+_SHOWN_CONTOURS = 6
+_NAME = 30
+"""Columns for the name of a contour."""
 _OFF = 1e-3
 """Distance from its target beyond which it is said of a stop that is reached [m]."""
 
@@ -31,6 +36,7 @@ def accuracy_lines(figures: Figures, style: Style) -> list[str]:
         return [*_commanded(figures.path, style), *_planned(figures.corners, style)]
     return [
         *_path(figures.path, style),
+        *_contours(figures.contours, style),
         *_corners(figures.corners, style),
         *_stops(figures.stops, style),
     ]
@@ -74,6 +80,40 @@ def _path(path: PathSummary, style: Style) -> list[str]:
         *slow_lines(path),
         *_speeds(path),
     ]
+
+
+def _contours(contours: tuple[ContourFigures, ...], style: Style) -> list[str]:
+    """Return the table of the contours with the largest path errors, in order of time."""
+    if not contours:
+        return []
+    worst = sorted(contours, key=lambda one: -one.path_max)[:_SHOWN_CONTOURS]
+    rows = [
+        tuple(
+            map(
+                TableCell,
+                (
+                    f"  {fit(contour_name(one), _NAME)}",
+                    *(
+                        fixed(value, MILLIMETRES, 3)
+                        for value in (
+                            one.path_max,
+                            one.path_mean,
+                            one.tracking_max,
+                            one.tracking_end,
+                            one.overshoot,
+                        )
+                    ),
+                ),
+            )
+        )
+        for one in contours
+        if one in worst
+    ]
+    title = f"contours ({len(contours)}), errors in mm"
+    header = ("", "path\nmax", "\nmean", "in time\nmax", "\nat its end", "beyond\nstops")
+    left = len(contours) - len(rows)
+    more = [f"  and {left} more with smaller path errors"] if left else []
+    return [paint(title, Tone.QUIET, style), *columns_text(header, rows, style), *more]
 
 
 def _orientation(path: PathSummary) -> list[str]:

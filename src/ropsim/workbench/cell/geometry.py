@@ -8,7 +8,14 @@ import numpy as np
 
 from ropsim import icr, language
 from ropsim.flow import MoveInstruction
-from ropsim.kinematics import IkOptions, inverse
+from ropsim.kinematics import (
+    IkOptions,
+    chooses_points_only,
+    inverse,
+    limit_violations,
+    point_answers,
+    turned_to_limits,
+)
 from ropsim.model import Cell, Part, Station
 from ropsim.spatial import Array, Pose
 from ropsim.workbench.compiling.environment import environment_of
@@ -245,8 +252,16 @@ class CellGeometry:
         X_BT = self._pose(station, move)
         if X_BT is None:
             return None
-        X_BM = X_BT @ (move.modal.X_MT or Pose()).inverse()
-        return tuple(inverse(station.robot, X_BM, _near(station, move.external)).solutions)
+        X_MT, options = move.modal.X_MT or Pose(), _near(station, move.external)
+        if not move.has_free_orientation:
+            return tuple(inverse(station.robot, X_BT @ X_MT.inverse(), options).solutions)
+        if not chooses_points_only(station.robot):
+            return None  # the orientation is that of the move before
+        assert options.near is not None
+        found = point_answers(station.robot, X_MT, X_BT.position, options.near).branches
+        return tuple(
+            turned_to_limits(station.robot, q) for q in found if not limit_violations(station.robot, q)
+        )
 
 
 def _near(station: Station, external: tuple[float, ...]) -> IkOptions:

@@ -35,6 +35,8 @@ class DryArm:
     def after(self, move: MoveInstruction) -> "DryArm":
         """Return the arm behind one more move."""
         target = move.target if move.angle is None else self._end_of_arc(move)
+        if move.has_free_orientation and isinstance(target, Pose):
+            target = self._turned_as_before(target, move.modal)
         is_known = move.angle is None or target is not None
         return replace(
             self, target=target, modal=move.modal if is_known else None, axes=self._axes_after(move)
@@ -47,6 +49,11 @@ class DryArm:
     def reached(self, target: Target, then: ModalState, now: ModalState) -> Pose | None:
         """Return where a move leads; None for a pose of which the frame moves: see `ArmPoses.reached`."""
         return self.poses.reached(target, then, now)
+
+    def _turned_as_before(self, target: Pose, modal: ModalState) -> Pose:
+        """Return a target turned as the tool was before, though an arm with few axes may turn it."""
+        X_KT = self.standing(modal)
+        return target if X_KT is None else Pose(target.position, X_KT.orientation)
 
     def _axes_after(self, move: MoveInstruction) -> Array:
         robot = self.poses.robot

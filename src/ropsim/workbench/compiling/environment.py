@@ -52,6 +52,7 @@ def environment_of(cell: Cell | None, station: Station | None = None) -> Environ
         external=tuple(_MEASURES[at.robot.axis_joints[k].measure] for k in at.robot.external),
         moving=frozenset(name for name, frame in cell.frames.items() if frame.parent != WORLD),
         located=cell.located,
+        free=cell.free,
         given=_given(cell, at),
         measured={
             name: signal.sensor.measures

@@ -70,7 +70,18 @@ def turning(robot: RobotModel) -> FirstWay:
     """Return a way without corners, which turns every joint and which any arm can go."""
     middle = 0.5 * (robot.lower_limits + robot.upper_limits)
     reach = np.minimum(0.2 * (robot.upper_limits - robot.lower_limits), 1.0)
+    while robot.cuts and reach.any() and not _is_followed(robot, (middle + reach, middle - 0.5 * reach)):
+        middle, reach = robot.home, np.where(reach > _GRID, 0.5 * reach, 0.0)
     return FirstWay((), (frozen(middle + reach), frozen(middle - 0.5 * reach)))
+
+
+def _is_followed(robot: RobotModel, turns: tuple[Array, ...]) -> bool:
+    """Return whether closed chains follow an arm from home to configurations and back, within all limits."""
+    shares = np.linspace(0.0, 1.0, _STEPS)[:, np.newaxis]
+    ends = (robot.home, *turns, robot.home)
+    rows = np.concatenate([one + shares * (other - one) for one, other in pairwise(ends)])
+    within = (kinematics.follower_limits(robot).excess(rows) == 0.0).all()
+    return bool(within) and kinematics.loop_passage(robot, rows).obstacle is None
 
 
 def _starts(robot: RobotModel, X_MT: Pose) -> Iterator[tuple[float, Array, Pose]]:

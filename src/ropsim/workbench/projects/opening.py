@@ -10,6 +10,7 @@ from ropsim.core import Diagnostic, SourceText
 from ropsim.model import Cell
 from ropsim.userfiles import UNREADABLE, inert_code, missing_file, read_project_text, read_text_file
 from ropsim.workbench.project_diagnostics import NO_PROJECT
+from ropsim.workbench.projects.law_files import has_law_files, with_law_files
 from ropsim.workbench.projects.project import Project, ProjectError, cell_name
 from ropsim.workbench.robots.robot_files import Reading, TextOf, read_robot_files, robots_read
 from ropsim.workbench.tasks.point_texts import NO_POINTS, PointTexts, read_point_texts
@@ -145,11 +146,15 @@ def assembled(
     """
     cell_text, findings = cell_file
     cell: Cell | None = None
+    laws: Mapping[str, SourceText] = {}
     robots = read_robot_files(folder, robot_files(cell_text), text_of)
     if cell_text is not None:
         read = workspace.cell(cell_text, cell_name(folder), robots_read(robots))
         lists = workspace.point_findings(cell_text, cell_name(folder), points)
         cell, findings = read.cell, (*findings, *read.diagnostics, *points.findings, *lists)
+        if cell is not None and has_law_files(cell):
+            with_laws = with_law_files(folder, cell, cell_text, text_of)
+            cell, laws, findings = with_laws.cell, with_laws.texts, (*findings, *with_laws.findings)
     sources: dict[str, SourceText] = {}
     # a task comes before code of the same name, which is most likely compiled from an older state of it
     for name in sorted(map(PurePath, programs), key=_by_ending):
@@ -157,7 +162,7 @@ def assembled(
         findings = (*findings, *found)
         if text is not None:
             sources[name.stem if name.stem not in sources else name.name] = text
-    return Project(folder, cell, sources, cell_text, findings, robots, tasks, points, workspace)
+    return Project(folder, cell, sources, cell_text, findings, robots, tasks, points, workspace, laws)
 
 
 def _programs(folder: Path) -> Mapping[str, Reading]:

@@ -7,7 +7,7 @@ from ropsim import icr
 from ropsim.core import Diagnostic, plural
 from ropsim.flow import MoveInstruction
 from ropsim.model import Station
-from ropsim.spatial import Pose
+from ropsim.spatial import Array, Pose
 from ropsim.workbench.compiling.dry_arm import program_arm
 from ropsim.workbench.compiling.environment import environment_of
 from ropsim.workbench.compiling.resolved import BUDGET
@@ -25,7 +25,8 @@ def program_points(
     """Return the targets of the program of the first station, and findings on omitted or wrong ones.
 
     The targets come from a dry run; targets and via points of arcs and curves count, each once, under the
-    line that goes there first. The pose of the flange is that of the program, independent of the tool.
+    line that goes there first. The pose of the flange is that of the program, independent of the tool; where
+    the orientation is free, the tool may come to the point in any.
 
     Args:
         project: with a cell.
@@ -51,16 +52,16 @@ def program_points(
     lines: dict[str, int] = {}
     world = icr.StillWorld(arm=program_arm(compiled.icr, project.cell, station))
     for move in icr.run(compiled.icr, world, BUDGET).moves:
-        poses = tuple(_flange_poses(project, station, move))
-        left += not poses
-        for X_BM in poses:
-            X_BT = X_BM @ (X_MT or Pose())
-            key = tuple(round(one, _DIGITS) for one in X_BT.as_tuple())
+        points = tuple(_points(project, station, move, X_MT or Pose()))
+        left += not points
+        for position, orientation in points:
+            turn = () if orientation is None else orientation
+            key = tuple(round(float(one), _DIGITS) for one in (*position, *turn))
             if key not in found:
                 label = f"line {move.origin.span.line}" if move.origin.span else "move"
                 lines[label] = lines.get(label, 0) + 1
                 named = f"{label} ({lines[label]})" if lines[label] > 1 else label
-                found[key] = TaskPoint(named, X_BT.position, X_BT.orientation)
+                found[key] = TaskPoint(named, position, orientation)
     findings: list[Diagnostic] = []
     if left:
         words = (
@@ -74,12 +75,22 @@ def program_points(
     return tuple(found.values()), tuple(findings)
 
 
-def _flange_poses(project: Project, station: Station, move: MoveInstruction) -> Iterator[Pose]:
-    """Yield X_BM of the target and of the points on the way; none where they are not known beforehand."""
+def _points(
+    project: Project, station: Station, move: MoveInstruction, X_MT: Pose
+) -> Iterator[tuple[Array, Array | None]]:
+    """Yield position and orientation of a tool at the target and at the points on the way of a move.
+
+    None where they are not known beforehand; without orientation where that is free.
+    """
     if not isinstance(move.target, Pose) or move.external:
         return
     if move.modal.frame in environment_of(project.cell, station).moving:
         return
     back = (move.modal.X_MT or Pose()).inverse()
     for pose in (*move.via, move.target):
-        yield move.modal.X_BK @ pose @ back
+        X_BT = move.modal.X_BK @ pose
+        if move.has_free_orientation:
+            yield X_BT.position, None
+        else:
+            X_BT = X_BT @ back @ X_MT
+            yield X_BT.position, X_BT.orientation

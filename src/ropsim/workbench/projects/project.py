@@ -69,6 +69,7 @@ class Project:
         tasks: texts of the tasks that its programs can call besides their own.
         points: texts of the lists of points that its programs can use.
         workspace: that has read it, and keeps results for its texts; not part of the content of the project.
+        laws: texts of the files of joint controllers that the cell names, by their paths.
     """
 
     folder: Path
@@ -80,6 +81,7 @@ class Project:
     tasks: TaskTexts = NO_TASKS
     points: PointTexts = NO_POINTS
     workspace: Workspace = field(default_factory=Workspace, repr=False, compare=False)
+    laws: Mapping[str, SourceText] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         """Return one line: its folder, cell and programs, and its findings."""
@@ -99,7 +101,7 @@ class Project:
         """Return all texts of the project, by the names that spans use."""
         robots = (one.text for one in self.robot_files.values())
         every = (*self.sources.values(), self.cell_text, *robots, *self.tasks.own, *self.tasks.users)
-        every = (*every, *self.points.texts.values())
+        every = (*every, *self.points.texts.values(), *self.laws.values())
         return {text.name: text for text in every if text is not None}
 
     @property

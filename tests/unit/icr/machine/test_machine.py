@@ -14,6 +14,7 @@ from ropsim.flow import (
     PostureRequest,
     Side,
     SyncInstruction,
+    TargetOrientation,
     Trigger,
     WaitInstruction,
 )
@@ -56,6 +57,7 @@ def program(main: str, rest: str = "") -> Program:
         "TRIG": "TRIG",
         "POSTURE": "CONFIG",
         "TURNS": "CONFIG",
+        "ORI.FREE": "FREE",
         "GUARD": "GUARD",
         "TRACK": "TRACK",
         "MET": "GUARD",
@@ -226,6 +228,41 @@ def test_a_posture_and_turns_go_wherever_the_pose_goes() -> None:
         *_, move, _ = flow(f"{text}/MOVE.PTP/HALT")
         assert isinstance(move, MoveInstruction)
         assert move.posture == wanted, text
+
+
+def test_a_free_orientation_goes_wherever_the_pose_goes() -> None:
+    free = f"{pose(0.1)}/ORI.FREE"
+    step = "PUSH POSE 0.0 0.0 0.1 1.0 0.0 0.0 0.0"
+    for text in (
+        free,
+        f"{free}/{step}/COMPOSE",
+        f"{step}/{free}/COMPOSE",
+        f"{free}/PUSH REAL 0.5/SETC 2",
+        f"{free}/INFRAME g",
+        f"{free}/ORI.FREE",
+        f"{pose(0.1)}/INFRAME g/ORI.FREE",
+    ):
+        *_, move, _ = flow(f"{text}/MOVE.LIN/HALT")
+        assert isinstance(move, MoveInstruction)
+        assert move.has_free_orientation, text
+    *_, move, _ = flow(f"{pose(0.1)}/POSTURE left/ORI.FREE/PUSH INT 1/TURNS 1/MOVE.PTP/HALT")
+    assert isinstance(move, MoveInstruction)
+    assert move.posture == PostureRequest(("left",), (1,), TargetOrientation.FREE)
+
+
+def test_where_the_tool_is_after_a_move_with_free_orientation_is_read_from_the_arm() -> None:
+    (move, sync, *_) = flow(f"{pose(0.1)}/ORI.FREE/MOVE.PTP/CURPOSE/MOVE.LIN/HALT")
+    assert isinstance(move, MoveInstruction)
+    assert isinstance(sync, SyncInstruction)
+    assert sync.before == "CURPOSE"
+
+
+def test_of_a_path_all_points_are_free_or_its_target_alone() -> None:
+    for via in (pose(0.1), f"{pose(0.1)}/ORI.FREE"):
+        (arc, _) = flow(f"{via}/{pose(0.2)}/ORI.FREE/MOVE.CIRC/HALT")
+        assert isinstance(arc, MoveInstruction)
+        assert arc.has_free_orientation
+    assert trap(f"{pose(0.1)}/ORI.FREE/{pose(0.2)}/MOVE.CIRC/HALT") == "I461"
 
 
 def test_of_two_postures_that_of_the_left_pose_counts_and_an_inverse_has_none() -> None:

@@ -9,7 +9,7 @@ from ropsim import robots
 from ropsim.flow import ModalState, MotionKind, MoveInstruction
 from ropsim.kinematics import forward, forward_batch
 from ropsim.motion import Line, ToolPoints
-from ropsim.planning import MotionState, Refusal, plan
+from ropsim.planning import MotionState, PlannedPath, Refusal, plan
 from ropsim.planning.testing import SMOOTH, follow_path, joined_to
 from ropsim.spatial import Array, Pose
 from support.cells import chain_of, one_station
@@ -92,11 +92,14 @@ def test_a_way_round_a_corner_has_as_many_samples_as_it_bends(times: int) -> Non
     first = forward(robot, robot.home)
     last = Pose(first.position + np.array([0.05, 0.1, 0.05]), first.orientation)
     path = Waves(Line(first, last), times)
-    traced = follow_path(chain, path, robot.home, MoveInstruction(MotionKind.LIN, last, ModalState()))
+    move = MoveInstruction(MotionKind.LIN, last, ModalState())
+    traced = follow_path(chain, path, robot.home, move)
     assert not isinstance(traced, Refusal)
     joints = traced[0]
     ends = joints.joints(np.array([0.0])), joints.joints(np.array([path.length]))
-    way = joined_to(chain, path, joints, ends, Pose(), None)
+    plan_of_line = chain.planner.plan(move, robot.home)
+    assert isinstance(plan_of_line, PlannedPath)
+    way = joined_to(chain, path, joints, ends, plan_of_line, None)
     assert way is not None
     places = np.linspace(0.0, path.length, 2_003)
     reached = np.asarray(forward_batch(robot, way.joints(places).q))

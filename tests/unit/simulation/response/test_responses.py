@@ -16,6 +16,8 @@ from ropsim.model import (
     Gear,
     IdealMotor,
     InputKind,
+    JointSensor,
+    JointSensors,
     Link,
     Payload,
     Rates,
@@ -177,3 +179,16 @@ def test_the_linear_loop_answers_a_small_step_as_the_simulation_does() -> None:
             z = A @ z + B[:, axis] * size
         linear = np.array(rows)[:, axis]
         np.testing.assert_allclose(answer.moved, linear, rtol=0.0, atol=2e-5 * size)
+
+
+def test_a_sensor_that_is_late_takes_as_much_of_the_margins_as_a_law_that_is() -> None:
+    """The loop is the same wherever on its way round a value waits."""
+    late, none = 4, np.zeros(1)
+    sensors = tuple(JointSensor(one, none, none, delay=late / HZ) for one in ("coordinate", "speed"))
+    measured = replace(controller(), sensors=JointSensors(sensors))
+    by_sensor = margins(linear_loop(mass(), measured, HELD, NOTHING, pd()), 0)
+    by_law = margins(linear_loop(mass(), controller(), HELD, NOTHING, pd(late)), 0)
+    at_once = margins(linear_loop(mass(), controller(), HELD, NOTHING, pd()), 0)
+    assert by_sensor.phase == pytest.approx(by_law.phase, rel=1e-6)
+    assert by_sensor.sensitivity == pytest.approx(by_law.sensitivity, rel=1e-6)
+    assert by_sensor.phase < 0.99 * at_once.phase

@@ -17,7 +17,7 @@ from ropsim.flow import JointReference
 from ropsim.kinematics import forward_batch
 from ropsim.model import CascadedGains, HydraulicMotor, Payload, Rates, RobotModel
 from ropsim.robotfile import read_robot_file
-from ropsim.robots.standard_controller import cascaded_controller, standard_controller
+from ropsim.robots.standard_controller import cascaded_controller
 from ropsim.simulation import Servo
 from ropsim.spatial import Array
 from support.arms import drive
@@ -76,7 +76,7 @@ def robot() -> RobotModel:
 
 @pytest.fixture(scope="module")
 def drawn(robot: RobotModel) -> list[Drawn]:
-    model = standard_controller(robot, Rates())
+    model = cascaded_controller(robot, Rates())
     servo = Servo.build(robot, model, cascaded_p_pi(model, robot))
     return [draw(robot, servo, np.array(place)) for place in PLACES]
 
@@ -115,7 +115,7 @@ def test_each_axis_has_a_pi_regulator_at_a_share_of_what_leaks(robot: RobotModel
         replace(one, motor=replace(motor, leakage=0.5 * motor.leakage))
         for one, motor in zip(robot.drives, motors, strict=True)
     )
-    gains = standard_controller(replace(robot, drives=tighter), Rates()).gains
+    gains = cascaded_controller(replace(robot, drives=tighter), Rates()).gains
     assert isinstance(gains, CascadedGains)
     crossover = 0.7 * min(2.0 * 1.2e9 * 1e-12 / 2.5e-4, 2.0 * 1.2e9 * 0.6e-12 / 1.2e-4)
     np.testing.assert_allclose(gains.ki / gains.ke, crossover)
@@ -125,7 +125,7 @@ def test_each_axis_has_a_pi_regulator_at_a_share_of_what_leaks(robot: RobotModel
 def test_an_axis_with_another_motor_keeps_its_own_loops(robot: RobotModel) -> None:
     mixed = replace(robot, drives=(robot.drives[0], drive(ratio=120.0)))
     electric = replace(robot, drives=(drive(ratio=120.0),) * 2)
-    gains, alone = standard_controller(mixed, Rates()).gains, cascaded_controller(electric, Rates()).gains
+    gains, alone = cascaded_controller(mixed, Rates()).gains, cascaded_controller(electric, Rates()).gains
     assert isinstance(gains, CascadedGains)
     assert isinstance(alone, CascadedGains)
     assert gains.kv[0] == 0.0 < gains.kv[1]

@@ -1,4 +1,4 @@
-"""A link on a cylinder under its standard regulator: it follows, stands as statics say, its oil is judged."""
+"""A link on a cylinder under fixed gains: it follows, stands as statics say, its oil is judged."""
 
 from dataclasses import replace
 from functools import cache
@@ -10,7 +10,7 @@ from ropsim.codegen import Engine
 from ropsim.controller import cascaded_p_pi
 from ropsim.flow import JointReference
 from ropsim.model import CascadedGains, Payload, Rates, RobotModel
-from ropsim.robots.standard_controller import standard_controller
+from ropsim.robots.standard_controller import cascaded_controller
 from ropsim.simulation import Recorder, Servo
 from ropsim.simulation.testing import BELOW, FinishedStation, Track, torn_oil
 from support.cylinders import CENTRE, CYLINDER, DRIVE, MASS, lifted
@@ -21,7 +21,7 @@ TICKS = 900
 
 @cache
 def servo(robot: RobotModel) -> Servo:
-    model = standard_controller(robot, Rates())
+    model = cascaded_controller(robot, Rates())
     return Servo.build(robot, model, cascaded_p_pi(model, robot), Engine.PYTHON)
 
 
@@ -50,7 +50,7 @@ def found(recorder: Recorder) -> list[str]:
 
 
 def test_the_regulator_is_as_quick_as_the_softest_place_allows() -> None:
-    gains = standard_controller(lifted(), Rates()).gains
+    gains = cascaded_controller(lifted(), Rates()).gains
     assert isinstance(gains, CascadedGains)
     leaks = [
         CYLINDER.bulk_modulus * CYLINDER.leakage * sum(1.0 / one for one in CYLINDER.volumes(out))
@@ -64,7 +64,7 @@ def test_the_regulator_is_as_quick_as_the_softest_place_allows() -> None:
 
 def test_what_leaks_against_a_slow_rod_turns_no_gain_around() -> None:
     leaky = replace(DRIVE, motor=replace(CYLINDER, leakage=1e-9))
-    tight, loose = (standard_controller(lifted(one), Rates()).gains for one in (DRIVE, leaky))
+    tight, loose = (cascaded_controller(lifted(one), Rates()).gains for one in (DRIVE, leaky))
     assert isinstance(tight, CascadedGains)
     assert isinstance(loose, CascadedGains)
     assert min(tight.ki[0], loose.ki[0]) > 0.0

@@ -62,7 +62,7 @@ def test_no_pole_of_the_whole_plant_at_home_is_faster(name: str) -> None:
     functions = {one.name: one for one in code.functions}
     derivative = load("derivative", (functions["derivative"],), Engine.PYTHON)
     constants = code.constants(arm_numbers(robot))
-    layout = StateLayout.of(structure_of(robot).drives, LawTraits())
+    layout = StateLayout.of(structure_of(robot), LawTraits())
     start = at_home(robot, layout)
     jacobian = np.zeros((len(start), len(start)))
     for place, value in enumerate(start):

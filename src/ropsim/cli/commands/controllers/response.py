@@ -21,6 +21,8 @@ from ropsim.simulation import (
     margins,
     mounted_load,
     natural_modes,
+    oil_springs,
+    plant_modes,
     ramp_response,
     step_response,
 )
@@ -92,7 +94,15 @@ def response(options: argparse.Namespace, output: Output) -> int:
         tested.append(TestedAxis(axis, answer, margins(loop, axis), sines.bandwidth, swept, sines))
     code = output.findings(findings, project.texts)
     rest = Rest(
-        robot, station.controller, q, place, load.mass, natural_modes(loop), is_ramp=bool(options.ramp)
+        robot,
+        station.controller,
+        q,
+        place,
+        load.mass,
+        natural_modes(loop),
+        plant_modes(loop),
+        oil_springs(robot, q, load),
+        is_ramp=bool(options.ramp),
     )
     output.text(response_text(rest, tested, output.style))
     written = _written(options.report, rest, tested)

@@ -134,6 +134,11 @@ def supply_power(record: Hydraulic, columns: Recorded, speed: Array) -> Array:
     return np.asarray(record.supply_pressure * flow)
 
 
+def least_opening(record: Hydraulic) -> float:
+    """Return x0 of `_trace_edge`: the opening to which the null flow of a closed edge corresponds."""
+    return _least(record)
+
+
 def crossing(grows: Callable[[float], float], most: float) -> float:
     """Return where a function that grows is 0, by halving.
 

@@ -117,7 +117,10 @@ def _moved(
     if (tag := tag_of(target)) is not None:
         modal = registers.changed(("FRAME", tag.name), frame=tag.name, X_BK=tag.X_BK)
     more = _AtPose(external_part(target), tuple(X_KV), posture_of(target), point_of(target))
-    return _told(registers, site, kind, X_KT, modal, more)
+    move = _told(registers, site, kind, X_KT, modal, more)
+    if move.has_free_orientation:  # how the tool is turned at its end, the program does not compute
+        registers.commanded = None
+    return move
 
 
 def _told(
@@ -143,7 +146,7 @@ def _told(
 
 
 def _check_via(name: str, point: Location, target: Location) -> None:
-    """Trap where a point on the way has a frame, values of external axes or a posture other than the target.
+    """Trap where a point on the way has other attributes than the target: frame, external axes or posture.
 
     Raises:
         TrapError: it has external axes; for a path they belong to its end.
@@ -151,7 +154,7 @@ def _check_via(name: str, point: Location, target: Location) -> None:
     check_same_frame(name, point, target)
     for what, one, wanted in (
         ("values of external axes", external_part(point), external_part(target)),
-        ("a posture", posture_of(point), posture_of(target)),
+        ("a posture or a free orientation", posture_of(point), posture_of(target)),
     ):
         if one and one != wanted:
             message = f"`{name}` is given a via point with {what} other than its target"

@@ -233,7 +233,7 @@ def _is_place(node: nodes.Node) -> bool:
         return node.op in ("above", "offset", "rel")
     if isinstance(node, nodes.Literal):
         return node.word == "here"
-    return isinstance(node, nodes.Tuple | nodes.Rebase | nodes.External)
+    return isinstance(node, nodes.Tuple | nodes.Rebase | nodes.External | nodes.Free)
 
 
 def _bind(

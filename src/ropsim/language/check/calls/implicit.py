@@ -177,7 +177,7 @@ def _inner(node: nodes.Node) -> tuple[nodes.Node | None, ...]:
     match node:
         case nodes.Binary():
             return node.left, node.right
-        case nodes.Unary() | nodes.Rebase() | nodes.State() | nodes.Member():
+        case nodes.Unary() | nodes.Rebase() | nodes.Free() | nodes.State() | nodes.Member():
             return (node.operand,)
         case nodes.Index():
             return node.operand, node.index
@@ -195,6 +195,6 @@ def _inner(node: nodes.Node) -> tuple[nodes.Node | None, ...]:
 
 _EXPRESSIONS = (
     nodes.Number, nodes.Text, nodes.Literal, nodes.Unary, nodes.Binary, nodes.Rebase, nodes.External,
-    nodes.State, nodes.Function, nodes.Tuple, nodes.Joints, nodes.Member,
+    nodes.Free, nodes.State, nodes.Function, nodes.Tuple, nodes.Joints, nodes.Member,
     nodes.Index,
 )  # fmt: skip

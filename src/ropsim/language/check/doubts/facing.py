@@ -16,7 +16,7 @@ def check_target(body: Body, node: nodes.Node) -> None:
 
     A step of `rel` or of a grid, a frame, and locations moved by `above`, `offset` and `rel` are not checked.
     """
-    match node.operand if isinstance(node, nodes.External) else node:
+    match node.operand if isinstance(node, nodes.External | nodes.Free) else node:
         case nodes.Tuple(turns=turns) as located if _turns_about_z(turns):
             _check(body, located, body.in_force.X_KC, body.in_force.moving)
         case nodes.Rebase(operand=nodes.Tuple(turns=turns) as located, frame=frame) if _turns_about_z(turns):

@@ -73,6 +73,10 @@ def _external(body: Body, node: nodes.External) -> Value:
     return poses.with_external(body, values.check(body, node.operand), node)
 
 
+def _free(body: Body, node: nodes.Free) -> Value:
+    return poses.with_free_orientation(body, values.check(body, node.operand), node)
+
+
 def _binary(body: Body, node: nodes.Binary) -> Value:
     if node.op in ("and", "or"):
         left = values.expect(body, node.left, BOOL, f"the left side of `{node.op}`")
@@ -158,6 +162,7 @@ EXPRESSIONS: Expressions = {
     nodes.Binary: _binary,
     nodes.Rebase: poses.rebased,
     nodes.External: _external,
+    nodes.Free: _free,
     nodes.State: _state,
     nodes.Function: functions.call,
     nodes.Tuple: poses.location,

@@ -57,9 +57,8 @@ def transform(body: Body, node: nodes.Node, X_BC: PoseTuple = fold.IDENTITY) -> 
         return values.expect(body, node, POSE, "the pose")
     if node.posture is not None:
         hint = "locations have them: leave them out here"
-        body.fail(
-            kinds.WRONG_TYPE, node.posture, "a step, a frame and a tool have no posture and no turns", hint
-        )
+        message = "a step, a frame and a tool have no posture, no turns and no free orientation"
+        body.fail(kinds.WRONG_TYPE, node.posture, message, hint)
     return _pose(body, node, components.UPRIGHT, lambda: X_BC)
 
 
@@ -106,6 +105,9 @@ def _step(body: Body, node: nodes.Node) -> Expression:
     if isinstance(node, nodes.External):
         hint = "write `external (…)` behind the whole: `A rel (…) external (…)`"
         body.fail(kinds.WRONG_TYPE, node, "the step of `rel` has no values of external axes", hint)
+    if isinstance(node, nodes.Free):
+        hint = "write `free` behind the whole: `A rel (…) free`"
+        body.fail(kinds.WRONG_TYPE, node, "the step of `rel` has no free orientation", hint)
     step = transform(body, node)
     if body.world.environment.moving:
         return fold.in_frame(step, "")
@@ -156,7 +158,9 @@ def _is_written(body: Body, node: nodes.Node) -> bool:
     """
     while not isinstance(node, nodes.Tuple):
         match node:
-            case nodes.Binary(op="above" | "offset" | "rel", left=inner) | nodes.External(operand=inner):
+            case nodes.Binary(op="above" | "offset" | "rel", left=inner):
+                node = inner
+            case nodes.External(operand=inner) | nodes.Free(operand=inner):
                 node = inner
             case nodes.Name(text=name) | nodes.Index(operand=nodes.Name(text=name)):
                 return isinstance(body.find(name), Listed)
@@ -190,6 +194,23 @@ def with_external(body: Body, value: Value, node: nodes.External) -> Value:
         wanted = LENGTH if is_length else ANGLE
         numbers.append(convert.to(body, number, wanted, item, f"external axis E{k + 1}"))
     return Value(fold.external(base, tuple(numbers)), POSE, X_KF=value.X_KF)
+
+
+def with_free_orientation(body: Body, value: Value, node: nodes.Free) -> Value:
+    """Return `A free`: A of which the position counts.
+
+    Raises:
+        RejectedError: A is no location.
+    """
+    kind = known(value.type)
+    if isinstance(kind, Type) and kind != POSE:
+        hint = "write `free` right behind the location, before `speed` and other modifiers"
+        if kind == JOINTS:
+            hint = "joint coordinates leave nothing free: leave the word out"
+        message = f"`free` needs a location on its left, found {article(kind)}"
+        body.fail(kinds.WRONG_TYPE, node.operand, message, hint)
+    base = convert.to(body, value, POSE, node.operand, "the left side of `free`")
+    return Value(fold.with_free_orientation(base), POSE, X_KF=value.X_KF)
 
 
 def _pose(body: Body, node: nodes.Tuple, default: Expression, base: Callable[[], PoseTuple]) -> Expression:

@@ -1,8 +1,8 @@
-"""Postures and turns of a location: `; config (left, up), turns (0, -1)`."""
+"""Postures and turns of a location, or that it is free: `; config (left, up), turns (0, -1), free`."""
 
 import re
 
-from ropsim.flow import PostureRequest
+from ropsim.flow import PostureRequest, TargetOrientation
 from ropsim.language.check.expressions import convert, values
 from ropsim.language.check.scope import fold
 from ropsim.language.check.scope.body import Body
@@ -24,7 +24,8 @@ def request(body: Body, node: nodes.Posture) -> PostureRequest:
     Raises:
         RejectedError: a word is none of its postures, or the turns do not fit its axes.
     """
-    return PostureRequest(_words(body, node), _turns(body, node))
+    free = TargetOrientation.FREE if node.is_free else TargetOrientation.GIVEN
+    return PostureRequest(_words(body, node), _turns(body, node), free)
 
 
 def _words(body: Body, node: nodes.Posture) -> tuple[str, ...]:

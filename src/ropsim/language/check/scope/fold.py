@@ -2,10 +2,11 @@
 
 import operator
 from collections.abc import Callable
+from dataclasses import replace
 from math import isfinite
 
 from ropsim.core import maker
-from ropsim.flow import PostureRequest
+from ropsim.flow import PostureRequest, TargetOrientation
 from ropsim.icr import INT_MAX, INT_MIN, Location, composed, computed, pose_part
 from ropsim.program import (
     Binary,
@@ -266,6 +267,14 @@ def in_posture(operand: Expression, request: PostureRequest | None) -> Expressio
     if isinstance(operand, InFrame):
         return InFrame(in_posture(operand.operand, request), operand.frame)
     return InPosture(operand.operand if isinstance(operand, InPosture) else operand, request)
+
+
+def with_free_orientation(operand: Expression) -> Expression:
+    """Return a POSE of which the position counts, with the posture and the frame that it is seen to have."""
+    if isinstance(operand, InFrame):
+        return InFrame(with_free_orientation(operand.operand), operand.frame)
+    request = operand.request if isinstance(operand, InPosture) else PostureRequest()
+    return in_posture(operand, replace(request, orientation=TargetOrientation.FREE))
 
 
 def opened(operand: Expression) -> tuple[Expression, PostureRequest | None, str]:

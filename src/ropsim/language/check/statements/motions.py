@@ -49,7 +49,7 @@ _move = maker(Move)
 _CURVED = ("circ", "spline")
 _OWN = (
     ("values of external axes", "they are those of the whole path"),
-    ("posture and turns", "they are those of the whole path"),
+    ("posture, turns and free orientation", "they are those of the whole path"),
 )
 
 

@@ -6,9 +6,9 @@ from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, total
 from ropsim.language.syntax.lexer import Token
-from ropsim.language.syntax.words import EXTERNAL, VIA
+from ropsim.language.syntax.words import EXTERNAL, FREE, VIA
 
-_OF_LOCATIONS = frozenset(("in", "@", "above", "offset", "rel", EXTERNAL))
+_OF_LOCATIONS = frozenset(("in", "@", "above", "offset", "rel", EXTERNAL, FREE))
 """Words by which a location goes on."""
 _OPENING, _CLOSING = ("(", "["), (")", "]")
 
@@ -66,7 +66,7 @@ def _part_of_target(cursor: Cursor, modifier: Token) -> None:
     cursor.go(1)
     if word.lower() in ("in", "@"):
         cursor.name("the name of a frame")
-    else:
+    elif word.lower() != FREE:
         total(cursor)
     message = f"expected the end of the line, found `{word}`"
     part = line[start : cursor.end]

@@ -7,7 +7,7 @@ from ropsim.language.findings import syntax as kinds
 from ropsim.language.syntax.cursor import Cursor
 from ropsim.language.syntax.expressions import expression, listed, total
 from ropsim.language.syntax.lexer import Token
-from ropsim.language.syntax.nodes import Binary, External, Name, Node, Rebase
+from ropsim.language.syntax.nodes import Binary, External, Free, Name, Node, Rebase
 from ropsim.language.syntax.readers.left_over import finish
 from ropsim.language.syntax.readers.misplaced import refuse
 from ropsim.language.syntax.readers.setting import QUANTITIES, quantity, set_statement, setting
@@ -84,8 +84,8 @@ def _along(cursor: Cursor, head: Token) -> Motion:
     start = cursor.token
     found = _motion(cursor, head, ())
     inner: object = found.target
-    while isinstance(inner, Binary | Rebase | External):
-        inner = inner.operand if isinstance(inner, Rebase | External) else inner.left
+    while isinstance(inner, Binary | Rebase | External | Free):
+        inner = inner.left if isinstance(inner, Binary) else inner.operand
     if not isinstance(inner, Name):
         message = "expected the name of a list of points behind `along`"
         cursor.fault(

@@ -18,7 +18,7 @@ from ropsim.model import (
 )
 from ropsim.robotfile import diagnostics as kinds
 from ropsim.robotfile.dh_table import DhTable
-from ropsim.robotfile.valves import HYDRAULIC, VALVE_NEEDED, read_valve
+from ropsim.robotfile.hydraulics.valves import HYDRAULIC, VALVE_NEEDED, read_valve
 from ropsim.tomltext import NUMBER, VALUE_OUT_OF_RANGE, TomlTable
 
 _SIZES = ("area_a", "area_b", "stroke", "dead_volume_a", "dead_volume_b")

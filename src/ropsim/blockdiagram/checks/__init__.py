@@ -1,0 +1,1 @@
+"""Checks of a diagram: names, sizes, wiring, numbers, units, loops."""

@@ -1,0 +1,1 @@
+"""Builders of diagrams: a function for each kind of joint controller."""

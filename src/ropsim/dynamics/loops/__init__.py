@@ -1,0 +1,1 @@
+"""Closed chains: rows of the cuts, what is fastened where, and the solver of motion under constraints."""

@@ -1,0 +1,34 @@
+"""The file of a project that holds the law of a joint controller."""
+
+from pathlib import PurePosixPath
+from typing import ClassVar
+
+from ropsim.core import frozen_dataclass
+from ropsim.model.findings.number_range import Ranges
+
+DIAGRAM_ENDINGS = (".stp", ".step", ".p21")
+"""Endings of neutral controllers: block diagrams as exchange files of ISO 10303-21."""
+MODULE_ENDING = ".py"
+"""Ending of modules in Python."""
+
+
+@frozen_dataclass
+class LawFile:
+    """The law of a joint controller in a file of the project; it takes the place of gains.
+
+    Attributes:
+        path: of the file in the project.
+        text: of the file; empty where it has not been read.
+        is_trusted: whether code of the project may run; a block diagram needs no trust.
+    """
+
+    RANGES: ClassVar[Ranges] = {}
+
+    path: str
+    text: str = ""
+    is_trusted: bool = False
+
+    @property
+    def is_code(self) -> bool:
+        """Return whether the file is a module in Python, which runs in trusted projects only."""
+        return PurePosixPath(self.path).suffix.lower() == MODULE_ENDING

@@ -1,0 +1,1 @@
+"""Rows of `drives` that are moved by oil: valves and cylinders."""
