@@ -8,6 +8,9 @@ import pytest
 from ropsim import robots
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
+from ropsim.icr import DryRun, run
+from ropsim.language import Environment
+from ropsim.language import compile as compile_text
 from ropsim.model import (
     CascadedGains,
     Cell,
@@ -17,10 +20,18 @@ from ropsim.model import (
     Rates,
     ShortLines,
 )
+from ropsim.workbench import environment_of
 from support.gains import cascaded
 
 POSE_TOLERANCE = 1e-12  # [m], a few roundings of coordinates below 1 m
 HEAD = '[robot]\nmodel = "puma560"\n'
+
+
+def run_of(text: str, environment: Environment) -> DryRun:
+    """Return the dry run of a program in an environment."""
+    compiled = compile_text(text, environment)
+    assert compiled.icr is not None
+    return run(compiled.icr)
 
 
 def cell_of(text: str) -> Cell:
@@ -109,6 +120,27 @@ def test_a_location_points_the_tool_straight_down_unless_told_otherwise() -> Non
     assert np.allclose(cell.locations["down"].rotation(), np.diag([1.0, -1.0, -1.0]), rtol=0, atol=1e-12)
     assert np.allclose(cell.locations["level"].rotation(), np.eye(3), rtol=0, atol=1e-12)
     assert np.allclose(cell.locations["turned"].rotation()[0], [0, -1, 0], rtol=0, atol=1e-12)
+
+
+def test_the_orientation_of_a_location_may_be_free() -> None:
+    text = (
+        '[locations.loose]\nposition = [1, 2, 3]\norientation = "free"\n'
+        '[locations.fixed]\nposition = [1, 2, 3]\norientation = "given"\n'
+        "[locations.plain]\nposition = [1, 2, 3]\n"
+    )
+    cell = cell_of(text)
+    assert cell.free == {"loose"}
+    assert environment_of(cell).free == {"loose"}
+    (move,) = run_of("program p\nmov loose\n", environment_of(cell)).moves
+    assert move.has_free_orientation
+    (move,) = run_of("program p\nmov fixed\n", environment_of(cell)).moves
+    assert not move.has_free_orientation
+
+
+def test_another_word_for_the_orientation_is_refused() -> None:
+    text = '[locations.loose]\nposition = [1, 2, 3]\norientation = "fre"\n'
+    _, findings = read_cell(SourceText("cell.toml", HEAD + text), "folder")
+    assert [found.hint for found in findings] == ["did you mean `free`?"]
 
 
 def test_a_location_may_be_given_in_a_frame() -> None:

@@ -196,6 +196,39 @@ def test_joint_rates_with_joints_to_spare_are_the_least_ones(name: str) -> None:
         assert np.abs(least - rates).max() < 1e-5 * (1.0 + np.abs(rates).max())
 
 
+@pytest.mark.parametrize("name", [one for one in ARMS if one not in DETERMINED])
+def test_next_to_a_limit_derivatives_are_those_of_the_coordinates(name: str) -> None:
+    """Where a joint gives way to the others: value and first derivative of each step by the next two."""
+    robot, rng = ARMS[name], np.random.default_rng(8)
+    q = drawn(robot, rng)
+    q[1] = robot.upper_limits[1] - 0.02 * (robot.upper_limits[1] - robot.lower_limits[1])
+    s, points, tool = straight(robot, q, q + 0.05 * rng.normal(size=robot.n), 801)
+    made = followed_points(robot, s, points, q, TOOL, tool)
+    assert made is not None
+    Q, (d1, d2) = made
+    h, size = s[1] - s[0], 1.0 + np.abs(d1).max() + np.abs(d2).max()
+    both = Q[1:] - Q[:-1] - 0.5 * h * (d1[1:] + d1[:-1]) - h * h / 12.0 * (d2[:-1] - d2[1:])
+    change = d1[1:] - d1[:-1] - 0.5 * h * (d2[1:] + d2[:-1])
+    assert np.abs(both).max() < 1e-10 * size
+    assert np.abs(change).max() < 1e-6 * size
+
+
+def test_a_joint_that_others_can_replace_stays_off_its_limit() -> None:
+    """Away from its limit the second of three joints would turn on by 12°, here it has 3° left."""
+    robot = ARMS["planar 3R"]
+    q = np.array([0.4, robot.upper_limits[1] - np.radians(3.0), -0.8])
+    q_end = q + np.array([-0.05, np.radians(12.0), 0.1])
+    s, points, tool = straight(robot, q, q_end)
+    made = followed_points(robot, s, points, q, TOOL, tool)
+    assert made is not None
+    assert made[0][:, 1].max() < robot.upper_limits[1]
+    away = q - np.array([0.0, 1.0, 0.0])
+    s, points, tool = straight(robot, away, away + (q_end - q))
+    other = followed_points(robot, s, points, away, TOOL, tool)
+    assert other is not None
+    assert np.ptp(other[0][:, 1]) > np.radians(3.0)
+
+
 def test_rows_beyond_the_reach_are_none_and_those_before_are_reached() -> None:
     robot = two_link()
     q = np.array([0.3, -0.4])

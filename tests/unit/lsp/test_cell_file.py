@@ -81,6 +81,16 @@ def test_a_location_tells_its_pose_in_its_own_frame_too(folder: Path) -> None:
     assert "in the frame bench" in told
 
 
+def test_a_location_tells_that_its_orientation_is_free(folder: Path) -> None:
+    cell = folder / "cell.toml"
+    cell.write_text(
+        text_of(folder) + '\n[locations.near]\nposition = [1, 2, 3]\norientation = "free"\n', "utf-8"
+    )
+    assert "its orientation is free" in hover(folder, "locations.near", "locations.ne|ar")
+    assert "orientation is free" not in hover(folder, "locations.pick_up", "locations.pi|ck_up")
+    assert "Whether the orientation of the tool counts" in hover(folder, "orientation =", "orien|tation =")
+
+
 def test_keys_of_a_section_that_are_not_there_yet_are_offered_needed_ones_first(folder: Path) -> None:
     text = text_of(folder).replace("mass = 0.5\n", "|\n")
     found = labels(folder, text)

@@ -165,6 +165,18 @@ def test_a_name_of_the_cell_tells_its_pose_in_the_world_and_from_the_base(tmp_pa
 @pytest.mark.parametrize(
     ("line", "told"),
     [
+        ("l|in (500, 50, 600) free", "(500, 50, 600) mm, roll pitch yaw (180, 0, 0)° in the base frame; its"),
+        ("l|in (500, 50, 600; free)", "its orientation is free"),
+        ("lin (500, 50, 600) fr|ee", "location free"),
+    ],
+)
+def test_a_free_orientation_is_told(line: str, told: str) -> None:
+    assert told in hover(f"program p\nunits mm, deg\nmov (400, 0, 600)\n{line}\n")
+
+
+@pytest.mark.parametrize(
+    ("line", "told"),
+    [
         ("circ via (500, 5|0, 600) to (450, 0, 610)", "leads through (500, 50, 600) mm"),
         ("circ via (500, 50, 600) to (450, |0, 610)", "goes to (450, 0, 610) mm"),
         ("ci|rc via (500, 50, 600) to (450, 0, 610)", "goes to (450, 0, 610) mm"),

@@ -23,6 +23,8 @@ FLAT = 1e-9
 """A direction in which the TCP moves less than this share of the greatest one is none."""
 STILL = 1e-9
 """A TCP that a turn of each joint by one radian moves less than this stands still [m]."""
+MARGIN_SHARE, MARGIN = 0.1, 0.35
+"""Share of the range of a joint, and [rad | m], within which it gives way to others."""
 CHOSEN = 5e-3
 """The same for what an arm can choose where it stands: files write angles with three digits."""
 
@@ -49,6 +51,8 @@ class PointShape:
         rank: how many coordinates of a position the arm can choose, at most d.
         scale: of the joints: their greatest speeds by the greatest of them, shape (n,).
         limits: lower and upper limits [rad | m], shape (2, n).
+        margins: before them, within which a joint gives way to others [rad | m]; 0 without joints to spare
+            and where there are no limits, shape (n,).
         starts: of a search, shape (s, n).
         places: where the TCP can be.
     """
@@ -59,6 +63,7 @@ class PointShape:
     rank: int
     scale: Array
     limits: Array
+    margins: Array
     starts: Array
     places: Places
 
@@ -76,7 +81,14 @@ class PointShape:
         """Return the arm for kernels, and room for them."""
         chain, (m, n) = self.chain, (len(self.chain.slides), self.chain.n)
         arm = PointArm(
-            chain.flat, chain.spread, self.tcp, self.space, self.scale, np.array([float(self.rank)])
+            chain.flat,
+            chain.spread,
+            self.tcp,
+            self.space,
+            self.scale,
+            np.array([float(self.rank)]),
+            self.limits,
+            self.margins,
         )
         work = DerivativeWork(
             np.empty((m + 1, 12)),
@@ -117,6 +129,7 @@ def point_shape(robot: RobotModel, tcp: Array) -> PointShape:
 def _shape(robot: RobotModel, tcp: tuple[float, float, float]) -> PointShape:
     arm = held_arm(robot).arm if robot.external else robot
     starts, scale = configurations(arm, STARTS), arm.max_speeds / arm.max_speeds.max()
+    limits = np.stack((arm.lower_limits, arm.upper_limits))
     ways = np.array([jacobian_at(arm, q, Pose(np.array(tcp)))[:3] for q in starts[:PROBES]])  # (s, 3, n)
     _, sizes, directions = np.linalg.svd(np.concatenate(ways, axis=1).T, full_matrices=False)
     greatest = float(sizes[0])
@@ -130,10 +143,17 @@ def _shape(robot: RobotModel, tcp: tuple[float, float, float]) -> PointShape:
         frozen(space.reshape(d, 3)),
         min(rank, d),
         frozen(scale),
-        frozen(np.stack((arm.lower_limits, arm.upper_limits))),
+        frozen(limits),
+        frozen(_margins(limits) if arm.n > min(rank, d) else np.zeros(arm.n)),
         frozen(starts),
         _places(d, min(rank, d)),
     )
+
+
+def _margins(limits: Array) -> Array:
+    """Return the margins of limits (2, n), shape (n,)."""
+    ranges = limits[1] - limits[0]
+    return np.where(np.isfinite(ranges), np.minimum(MARGIN_SHARE * ranges, MARGIN), 0.0)
 
 
 def _places(d: int, rank: int) -> Places:

@@ -24,12 +24,16 @@ STEPS = 100
 """Largest number of steps from a start to a point."""
 PROGRESS = 1.0 - 1e-7
 """Share of the error that is left after a step with progress at most."""
+LEAST = 0.02
+"""Share of its scale that a joint keeps at its limit."""
 STALLS = 6
 """Number of consecutive steps without progress that ends the search."""
-ERROR, LAMBDA, TRIAL, SHARES, CHANGES, HELD, VALUES, SQUARE, VECTORS, A, A1 = (*range(8), 10, 13, 16)
+ERROR, LAMBDA, TRIAL, SHARES, CHANGES, HELD, SCALE, SLOPE = range(8)
 """Rows of the room: error along the basis, λ, coordinates tried, shares and their changes, 1.0 for joints
-that are held, eigenvalues; then three rows each of A·Aᵀ, its eigenvectors, A and its derivative."""
-ROOM = 19
+that are held, scales in force, their derivatives by the coordinates."""
+VALUES, SQUARE, VECTORS, A, A1 = 8, 9, 12, 15, 18
+"""Rows behind them: eigenvalues; three each of A·Aᵀ, its eigenvectors, A and its derivative."""
+ROOM = 21
 """Number of these rows."""
 
 
@@ -41,8 +45,10 @@ class PointArm(NamedTuple):
         spread: `ChainArrays.spread`.
         tcp: in the interface [m], shape (3,).
         space: basis of the directions in which the TCP moves, shape (d, 3).
-        scale: of the joints, shape (n,).
+        scale: of the joints away from their limits, shape (n,).
         rank: r, shape (1,).
+        limits: lower and upper limits, shape (2, n).
+        margins: within which a joint with others to spare gives way to them; 0 for none, shape (n,).
     """
 
     chain: Array1
@@ -51,6 +57,8 @@ class PointArm(NamedTuple):
     space: Array2
     scale: Array1
     rank: Array1
+    limits: Array2
+    margins: Array1
 
 
 def descend_to(arm: PointArm, goal: Array, q: Array, work: DerivativeWork, room: Array, miss: Array) -> None:
@@ -71,10 +79,10 @@ def descend_to(arm: PointArm, goal: Array, q: Array, work: DerivativeWork, room:
             least_shares(arm, room, mu * error, room[SHARES])
             longest = 0.0
             for i in range(n):
-                longest = max(longest, abs(room[SHARES, i] * arm.scale[i]))
+                longest = max(longest, abs(room[SHARES, i] * room[SCALE, i]))
             limit = LONGEST_STEP / longest if longest > LONGEST_STEP else 1.0
             for i in range(n):
-                trial[i] = q[i] + limit * room[SHARES, i] * arm.scale[i]
+                trial[i] = q[i] + limit * room[SHARES, i] * room[SCALE, i]
             place(arm, trial, work)
             tried = _distance(arm, goal, work)
             if tried < error:
@@ -94,6 +102,28 @@ def descend_to(arm: PointArm, goal: Array, q: Array, work: DerivativeWork, room:
     for r in range(3):
         total += (goal[r] - M[9 + r]) ** 2
     miss[1] = sqrt(total)
+
+
+def plain_scales(arm: PointArm, room: Array) -> None:
+    """Put the scales away from limits in force."""
+    for i in range(arm.scale.shape[0]):
+        room[SCALE, i], room[SLOPE, i] = arm.scale[i], 0.0
+
+
+def limited_scales(arm: PointArm, q: Array, room: Array) -> None:
+    """Put the scales at coordinates q (n,) in force: within its margin a joint does less, by a smooth step.
+
+    Joints that others can replace stay off their limits so (Chan and Dubey 1995).
+    """
+    for i in range(q.shape[0]):
+        room[SCALE, i], room[SLOPE, i] = arm.scale[i], 0.0
+        below, above = q[i] - arm.limits[0, i], arm.limits[1, i] - q[i]
+        u = max(min(below, above), 0.0) / arm.margins[i] if arm.margins[i] > 0.0 else 1.0
+        if u < 1.0:
+            step, rise = u * u * u * (10.0 - 15.0 * u + 6.0 * u * u), 30.0 * u * u * (1.0 - u) * (1.0 - u)
+            room[SCALE, i] = arm.scale[i] * (LEAST + (1.0 - LEAST) * step)
+            slope = arm.scale[i] * (1.0 - LEAST) * rise / arm.margins[i]
+            room[SLOPE, i] = slope if below < above else -slope
 
 
 def place(arm: PointArm, q: Array, work: DerivativeWork) -> None:
@@ -137,7 +167,7 @@ def normal_matrix(arm: PointArm, work: DerivativeWork, room: Array) -> None:
             total = 0.0
             for r in range(3):
                 total += arm.space[a, r] * work.columns[r, i]
-            room[A + a, i] = total * arm.scale[i] * (1.0 - room[HELD, i])
+            room[A + a, i] = total * room[SCALE, i] * (1.0 - room[HELD, i])
     for a in range(d):
         for b in range(d):
             total = 0.0

@@ -11,14 +11,18 @@ from ropsim.kinematics.points.point_kernel import (
     ERROR,
     HELD,
     LAMBDA,
+    SCALE,
     SHARES,
+    SLOPE,
     VALUES,
     A,
     PointArm,
     descend_to,
     least_shares,
+    limited_scales,
     normal_matrix,
     place,
+    plain_scales,
 )
 from ropsim.spatial import Array
 
@@ -70,6 +74,7 @@ def follow_points(
                     mean = 0.5 * (out[0, k - 1, i] + out[0, k, i])
                     Q[k, i] = Q[k - 1, i] + h * (mean + h / 12.0 * (out[1, k - 1, i] - out[1, k, i]))
                 room[CHANGES, i] = Q[k, i]
+            limited_scales(arm, Q[k], room)
             descend_to(arm, goals[k], Q[k], work, room, room[LAMBDA])
             away = 0.0
             for i in range(n):
@@ -78,7 +83,7 @@ def follow_points(
             if (
                 not reached
                 or away > CLOSE
-                or not derive(arm, tool[0, k], tool[1, k], out[0, k], out[1, k], work, room)
+                or not derive(arm, Q[k], tool[0, k], tool[1, k], out[0, k], out[1, k], work, room)
             ):
                 result[0] = -1.0
                 return
@@ -92,6 +97,7 @@ def follow_points(
 @kernel
 def branch_sides(arm: PointArm, Q: Array2, work: DerivativeWork, room: Array2, sides: Array1) -> None:
     """Write the determinant of A at rows of Q (k, n), 0 where the arm has more joints than it needs; (k,)."""
+    plain_scales(arm, room)
     for k in range(Q.shape[0]):
         place(arm, Q[k], work)
         normal_matrix(arm, work, room)
@@ -99,13 +105,21 @@ def branch_sides(arm: PointArm, Q: Array2, work: DerivativeWork, room: Array2, s
 
 
 def derive(
-    arm: PointArm, d1: Array, d2: Array, first: Array, second: Array, work: DerivativeWork, room: Array
+    arm: PointArm,
+    q: Array,
+    d1: Array,
+    d2: Array,
+    first: Array,
+    second: Array,
+    work: DerivativeWork,
+    room: Array,
 ) -> bool:
     """Write both derivatives of the joints where the frames are placed; return whether there are.
 
     With x = Aᵀ·λ and A·x = S·v' follow x' = A'ᵀ·λ + Aᵀ·λ' and A·Aᵀ·λ' = S·a' - A'·x - A·A'ᵀ·λ.
     """
     d, n = arm.space.shape[0], first.shape[0]
+    limited_scales(arm, q, room)
     normal_matrix(arm, work, room)
     rank = int(arm.rank[0])
     if not room[VALUES, rank - 1] > SINGULAR * room[VALUES, 0]:
@@ -114,19 +128,22 @@ def derive(
         room[ERROR, a] = arm.space[a, 0] * d1[0] + arm.space[a, 1] * d1[1] + arm.space[a, 2] * d1[2]
     least_shares(arm, room, 0.0, room[SHARES])
     for i in range(n):
-        first[i] = room[SHARES, i] * arm.scale[i]
+        first[i] = room[SHARES, i] * room[SCALE, i]
+        room[SLOPE, i] *= first[i]  # the derivative of the scale along the path from here on
     column_changes(arm.chain, arm.spread, work, first)
     for a in range(d):
         for i in range(n):
             total = 0.0
             for r in range(3):
-                total += arm.space[a, r] * work.columns[6 + r, i]
-            room[A1 + a, i] = total * arm.scale[i]
+                change = work.columns[6 + r, i] * room[SCALE, i] + work.columns[r, i] * room[SLOPE, i]
+                total += arm.space[a, r] * change
+            room[A1 + a, i] = total
     for i in range(n):
         total = 0.0
         for a in range(d):
             total += room[A1 + a, i] * room[LAMBDA, a]
         room[CHANGES, i] = total
+        second[i] = room[SLOPE, i] * room[SHARES, i]
     for a in range(d):
         total = arm.space[a, 0] * d2[0] + arm.space[a, 1] * d2[1] + arm.space[a, 2] * d2[2]
         for i in range(n):
@@ -134,7 +151,7 @@ def derive(
         room[ERROR, a] = total
     least_shares(arm, room, 0.0, room[SHARES])
     for i in range(n):
-        second[i] = (room[CHANGES, i] + room[SHARES, i]) * arm.scale[i]
+        second[i] += (room[CHANGES, i] + room[SHARES, i]) * room[SCALE, i]
     return True
 
 

@@ -8,6 +8,7 @@ from ropsim.kinematics.points.point_kernel import (
     CHANGES,
     HELD,
     LONGEST_STEP,
+    SCALE,
     SHARES,
     TRIAL,
     VALUES,
@@ -16,8 +17,10 @@ from ropsim.kinematics.points.point_kernel import (
     PointArm,
     descend_to,
     least_shares,
+    limited_scales,
     normal_matrix,
     place,
+    plain_scales,
     point_error,
 )
 from ropsim.spatial import Array
@@ -37,6 +40,7 @@ def reach_rows(
         room: room to work in, shape (ROOM, max(n, 3)).
         misses: what is left along the basis of the arm, and in all [m], shape (k, 2).
     """
+    plain_scales(arm, room)
     for i in range(Q.shape[1]):
         room[HELD, i] = 0.0
     for k in range(Q.shape[0]):
@@ -57,6 +61,7 @@ def continue_rows(
         for i in range(Q.shape[1]):
             if k > 0:
                 Q[k, i] = Q[k - 1, i]
+        limited_scales(arm, Q[k], room)
         descend_to(arm, goals[k], Q[k], work, room, misses[k])
 
 
@@ -88,6 +93,7 @@ def approach_rows(
         misses: as in `reach_rows`.
     """
     n = Q.shape[1]
+    plain_scales(arm, room)
     for k in range(Q.shape[0]):
         q, step, before = Q[k], 1.0, 1e300
         for i in range(n):
@@ -129,7 +135,7 @@ def _way(arm: PointArm, q: Array, near: Array, step: float, room: Array, work: D
     size = _free_way(arm, q, near, room)
     least_shares(arm, room, 0.0, room[TRIAL])
     for i in range(q.shape[0]):
-        room[TRIAL, i] = (room[TRIAL, i] + step * room[SHARES, i]) * arm.scale[i]
+        room[TRIAL, i] = (room[TRIAL, i] + step * room[SHARES, i]) * room[SCALE, i]
     return size
 
 
@@ -138,7 +144,7 @@ def _free_way(arm: PointArm, q: Array, near: Array, room: Array) -> float:
     d, n, rank, total = arm.space.shape[0], arm.scale.shape[0], int(arm.rank[0]), 0.0
     for i in range(n):
         held = room[HELD, i] > 0.0
-        room[SHARES, i] = 0.0 if held else (near[i] - q[i]) / arm.scale[i]
+        room[SHARES, i] = 0.0 if held else (near[i] - q[i]) / room[SCALE, i]
     for c in range(rank):
         part = 0.0
         for a in range(d):

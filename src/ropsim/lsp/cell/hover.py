@@ -86,6 +86,8 @@ def places_of(cell: Cell, section: str, name: str) -> Iterator[str]:
             yield _in(cell.locations[name], f"the frame {moving}" if moving else "the world frame")
             if given and given in cell.frames:
                 yield _in(cell.frames[given].X_PK.inverse() @ cell.locations[name], f"the frame {given}")
+            if name in cell.free:
+                yield "its orientation is free"
         case "tools":
             tools = [one.tools[name] for one in cell.stations.values() if name in one.tools]
             if tools:

@@ -26,14 +26,19 @@ def motion_hover(
     if moves is None:
         return ""
     around = workshop.named(document, documents)
-    places = [place for move in moves.first for place in places_of(move, around.environment)]
+    places = [
+        (place, move.has_free_orientation)
+        for move in moves.first
+        for place in places_of(move, around.environment)
+    ]
     index = _index(motion, position.line + 1, document.column(position) + 1) if motion is not None else 0
-    place = places[index] if index < len(places) else None
+    place, is_free = places[index] if index < len(places) else (None, False)
     if place is None:
         return ""
     times = moves.times if motion is not None else moves.count
     first = f" at the first of {times} times" if times > 1 else ""
-    return f"{_deed(motion, index).format(first)} {resolved_words(place, around.station)}"
+    free = "; its orientation is free" if is_free else ""
+    return f"{_deed(motion, index).format(first)} {resolved_words(place, around.station)}{free}"
 
 
 def resolved_words(resolved: Resolved, station: Station | None) -> str:

@@ -182,9 +182,7 @@ class StandardPathPlanner:
             with suppress(ProfileError):
                 joints = SynchronisedJoints(q_start, q_end, so_far.limits.joints)
         wrong = chain_refusals(move, self.robot, joints)
-        if wrong:
-            return Refusal(wrong)
-        return PlannedPath(joints, None, so_far.limits, so_far.X_MT, so_far.findings)
+        return Refusal(wrong) if wrong else replace(so_far, joints=joints)
 
     def _plan_tool(
         self, move: MoveInstruction, q_start: Array, so_far: PlannedPath, goal: tuple[Array, Pose]

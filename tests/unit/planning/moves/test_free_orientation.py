@@ -6,11 +6,14 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
+from ropsim import robots
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import point_answers, tool_pose
-from ropsim.model import RobotModel
+from ropsim.model import RobotModel, on_track
 from ropsim.planning import MotionChain, MotionState, Refusal, plan, plan_move
 from ropsim.spatial import Array, Pose
+from support.carried import carried_cell, from_plate, to_plate
+from support.cells import chain_of
 from support.few_axes import (
     ARMS,
     DETERMINED,
@@ -165,6 +168,43 @@ def test_a_line_stops_being_made_at_a_joint_limit_and_says_which() -> None:
     assert not isinstance(made, Refusal)
 
 
+@pytest.mark.parametrize("name", ["planar 3R", "4 axes", "5 axes"])
+def test_few_lines_of_arms_with_joints_to_spare_end_at_a_limit(name: str) -> None:
+    """They begin a twentieth of the range away from one; with constant weights a third of them would."""
+    robot, chain, rng, at_limit, made = ARMS[name], chained(name), np.random.default_rng(14), 0, 0
+    for _ in range(12):
+        q = drawn(robot, rng)
+        joint = int(rng.integers(robot.n))
+        q[joint] = robot.lower_limits[joint] + 0.05 * (robot.upper_limits - robot.lower_limits)[joint]
+        found = plan_move(chain, to_point(LIN, places(robot, q + 0.15 * rng.normal(size=robot.n))[0]), q)
+        if isinstance(found, Refusal):
+            at_limit += found.diagnostics[0].code == "M503"
+            continue
+        made += 1
+        assert robot.lower_limits[joint] - 1e-9 <= found.reference.q[:, joint].min()
+    assert at_limit <= 1
+    assert made >= 9
+
+
+@pytest.mark.parametrize("name", ["planar 2R", "anthropomorphic", "SCARA", "5 axes"])
+@pytest.mark.parametrize("track", [None, 1.3])
+def test_an_arm_on_a_track_follows_lines_of_the_room(name: str, track: float | None) -> None:
+    arm = ARMS[name]
+    robot, n = on_track(arm, robots.linear_track(4.0)), arm.n
+    q = np.append(drawn(arm, np.random.default_rng(3)), 1.0)
+    there = q.copy()
+    there[:n] += 0.02 * np.minimum(arm.upper_limits - arm.lower_limits, 5.0)
+    there[n] = track or 1.0
+    begin, end = places(robot, q)[0], places(robot, there)[0]
+    move = to_point(LIN, end)
+    found = plan_move(chain_for(robot), replace(move, external=(track,)) if track else move, q)
+    assert not isinstance(found, Refusal), found
+    reached = places(robot, found.reference.q)
+    assert beside_line(reached, begin, end).max() < ON_LINE
+    assert np.abs(reached[-1] - end).max() < ON_LINE
+    assert found.q_end[n] == there[n]
+
+
 @pytest.mark.parametrize("name", DETERMINED)
 def test_a_joint_move_takes_the_nearest_branch(name: str) -> None:
     robot, chain, rng = ARMS[name], chained(name), np.random.default_rng(13)
@@ -175,6 +215,23 @@ def test_a_joint_move_takes_the_nearest_branch(name: str) -> None:
         assert not isinstance(found, Refusal)
         assert np.abs(found.q_end - near).max() < 1e-6
         assert not found.findings
+
+
+def test_of_two_branches_the_one_is_taken_from_which_a_later_line_can_be_followed() -> None:
+    """The nearest one would lead the elbow beyond its limit on the line behind it."""
+    robot = two_link()
+    narrow = replace(robot, joints=(robot.joints[0], replace(robot.joints[1], lower=-1.75, upper=2.9)))
+    chain, low = chain_for(narrow), np.array([1.9, -1.7])
+    begin = places(narrow, low)[0]
+    end = places(narrow, np.array([2.2, -2.1]))[0]
+    alone = plan_move(chain, to_point(PTP, begin), low + 0.02)
+    assert not isinstance(alone, Refusal)
+    assert alone.q_end[1] < 0.0
+    assert refused(to_point(LIN, end), alone.q_end, chain).code in {"M502", "M503"}
+    moves = [to_point(PTP, begin, 0.005), to_point(LIN, end)]
+    made = planned_stretch(moves, low + 0.02, chain)
+    assert made.reference.q[-1, 1] > 0.0
+    assert "M585" in {one.code for one in made.findings}
 
 
 def test_a_corner_between_lines_is_passed_without_a_stop() -> None:
@@ -270,6 +327,27 @@ def test_an_arm_with_six_axes_keeps_its_orientation(kind: MotionKind) -> None:
     there = tool_pose(PUMA, made.q_end, Pose())
     assert np.abs(there.position - target.position).max() < ON_LINE
     assert np.abs(there.matrix()[:3, :3] - X.matrix()[:3, :3]).max() < ON_LINE
+
+
+@pytest.mark.parametrize("kind", [LIN, PTP])
+def test_on_a_plate_that_turns_the_orientation_is_that_over_the_plate(kind: MotionKind) -> None:
+    cell = carried_cell()
+    robot, chain = cell.first.robot, chain_of(cell)
+    q = np.concatenate((START, [2.0, 0.1, 0.2]))
+    there = q.copy()
+    there[-1] += 0.15
+    before = from_plate(robot, q[np.newaxis])[0]
+    target = replace(to_plate(robot, there, kind), posture=FREE)
+    assert isinstance(target.target, Pose)
+    move = replace(
+        target, target=Pose(before[:3, 3] + np.array([0.01, 0.02, 0.0]), target.target.orientation)
+    )
+    made = plan_move(chain, move, q)
+    assert not isinstance(made, Refusal), made
+    after = from_plate(robot, made.q_end[np.newaxis])[0]
+    assert np.abs(after[:3, :3] - before[:3, :3]).max() < ON_LINE
+    assert np.abs(after[:3, 3] - before[:3, 3] - np.array([0.01, 0.02, 0.0])).max() < ON_LINE
+    assert made.q_end[-1] == there[-1]
 
 
 def test_an_arm_with_six_axes_says_which_orientation_it_cannot_keep() -> None:
