@@ -25,7 +25,7 @@ _LOWEST = 0.1
 
 
 def response_records(rest: Rest, tested: Sequence[TestedAxis]) -> LoopPage:
-    """Return what the page shows of a station at rest."""
+    """Return the page of a station at rest, as records."""
     tables = [_table("Margins of each loop, all others closed.", margins_table(rest, tested))]
     if any(one.response for one in tested):
         what = (

@@ -16,7 +16,7 @@ Table: TypeAlias = tuple[tuple[str, ...], list[tuple[TableCell, ...]]]
 _SLOWEST = 3
 """Modes that are shown."""
 _LARGE = 1e3
-"""Factors from here on are not told apart from inf, and numbers have no exponent."""
+"""Factors from here on count as infinite, and numbers have no exponent."""
 
 
 @record
@@ -94,7 +94,7 @@ def conditions(rest: Rest) -> str:
 
 
 def notes(rest: Rest) -> tuple[str, ...]:
-    """Return the slowest modes, what sensors take part, and what has no part in margins and modes."""
+    """Return the slowest modes, the sensors, and the effects that margins and modes leave out."""
     found, shown = list[str](), _modes(rest.modes)
     found.append(f"slowest modes: {shown}" if shown else "no mode of the loops oscillates")
     if rest.oil:

@@ -13,7 +13,7 @@ from ropsim.spatial import Array, record
 from ropsim.views import Style, TableCell, Tone, columns_text
 
 _KEYS = ("kp", "kd", "kv", "ki")
-"""Gains that follow from bandwidths; the others stay those of the standard controller."""
+"""Gains that follow from bandwidths; the others stay as in the standard controller."""
 _LARGE = 1e3
 _COLUMNS = 80
 
@@ -26,7 +26,7 @@ class Tuned:
         station: its name.
         robot: the arm.
         controller: with the gains.
-        bandwidths: of the axes [Hz], shape (n,).
+        bandwidths: of the axes [Hz], shape (n,); NaN for a law whose gains do not follow from bandwidths.
         damping: of the axes.
         grid: the places.
         loads: in words.
@@ -46,7 +46,8 @@ class Tuned:
 def tuning_text(tuned: Tuned, style: Style) -> str:
     """Return margins at the worst places, a map of the slowest oscillation, and the lines of the gains."""
     robot, law = tuned.robot, LAW_WORDS[tuned.controller.kind]
-    hz, damping = tuned.controller.rates.control_hz, f"damping {tuned.damping:.3g}"
+    hz, has_rule = tuned.controller.rates.control_hz, _has_rule(tuned)
+    damping = f"damping {tuned.damping:.3g}" if has_rule else "present gains"
     title = f"{robot.title or robot.name}: {law} at {hz} Hz, {damping}"
     sections = [
         [
@@ -56,10 +57,15 @@ def tuning_text(tuned: Tuned, style: Style) -> str:
         ],
         [*_margins(tuned, style), *_beyond(tuned)],
         _slowest(tuned, style),
-        ["to be put into cell.toml:"],
-        toml_lines(tuned),
+        ["to be put into cell.toml:"] if has_rule else [],
+        toml_lines(tuned) if has_rule else [],
     ]
     return "\n\n".join("\n".join(lines) for lines in sections if lines) + "\n"
+
+
+def _has_rule(tuned: Tuned) -> bool:
+    """Return whether the gains follow from bandwidths."""
+    return math.isfinite(tuned.bandwidths[0])
 
 
 def _wrapped(text: str) -> list[str]:
@@ -67,7 +73,7 @@ def _wrapped(text: str) -> list[str]:
 
 
 def toml_lines(tuned: Tuned) -> list[str]:
-    """Return the section of `cell.toml` that gives the station these gains."""
+    """Return the section of `cell.toml` with these gains."""
     section = "controller" if tuned.station == ROBOT else f"stations.{tuned.station}.controller"
     names = [name for name in _KEYS if name in gain_names(tuned.controller.gains)]
     rows = [(name, getattr(tuned.controller.gains, name).tolist()) for name in names]
@@ -86,11 +92,11 @@ def tuning_document(tuned: Tuned) -> dict[str, object]:
         "station": tuned.station,
         "law": tuned.controller.kind.value,
         "control_hz": tuned.controller.rates.control_hz,
-        "damping": tuned.damping,
+        "damping": tuned.damping if _has_rule(tuned) else None,
         "loads": list(tuned.loads),
         "counts": list(tuned.grid.counts),
         "gains": {name: getattr(gains, name).tolist() for name in gain_names(gains)},
-        "toml": "\n".join(toml_lines(tuned)) + "\n",
+        "toml": "\n".join(toml_lines(tuned)) + "\n" if _has_rule(tuned) else None,
         "axes": [_axis_entry(tuned, axis, name) for axis, name in enumerate(names)],
         "places": [_place_entry(tuned, one) for one in tuned.checks],
     }
@@ -100,7 +106,7 @@ def _axis_entry(tuned: Tuned, axis: int, name: str) -> dict[str, object]:
     worst = worst_of(tuned.checks, axis)
     return {
         "axis": name,
-        "bandwidth_hz": float(tuned.bandwidths[axis]),
+        "bandwidth_hz": plain(float(tuned.bandwidths[axis])),
         "worst": {
             "q": tuned.grid.Q[worst.place].tolist(),
             "load": tuned.loads[worst.load],
@@ -142,7 +148,7 @@ def _margins(tuned: Tuned, style: Style) -> list[str]:
         worst = worst_of(tuned.checks, axis)
         margins = worst.margins[axis]
         place = TableCell(tuned.loads[worst.load]), TableCell(_place_words(tuned, worst.place))
-        name, bandwidth = TableCell(joint.name), TableCell(f"{tuned.bandwidths[axis]:.3g}")
+        name, bandwidth = TableCell(joint.name), TableCell(number(float(tuned.bandwidths[axis]), "-"))
         if not margins.stable:
             rows.append((name, bandwidth, TableCell("unstable", Tone.ERROR), *(TableCell("-"),) * 2, *place))
             continue

@@ -1,4 +1,4 @@
-"""The power that a drive draws from its supply, from what is recorded of it."""
+"""The power that a drive draws from its supply, from recorded columns."""
 
 from ropsim.dynamics.drives.block import Recorded
 from ropsim.dynamics.drives.chain import chain_of
@@ -7,9 +7,9 @@ from ropsim.spatial import Array
 
 
 def drive_power(drive: Drive, columns: Recorded) -> Array:
-    """Return the power that a drive draws [W], negative where it gives back, shape (rows,).
+    """Return the power that a drive draws [W], negative while it returns power, shape (rows,).
 
-    What amplifier, controller, brakes, and the electrical side of a valve take is no part of it.
+    It excludes amplifier, controller, brakes, and the electrical side of a valve.
 
     Args:
         drive: the drive.

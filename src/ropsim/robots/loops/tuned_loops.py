@@ -2,7 +2,7 @@
 
 An axis under one of the laws is a mass between a spring and a damper, s² + 2·ζ·ω·s + ω²: computed torque has
 kp = ω² and kd = 2·ζ·ω, a cascade the crossover 2·ζ·ω of its speed loop and kp = ω/(2·ζ). Integral action
-stands to the crossover as in the standard gains, which are those of ζ = 0.91. A hydraulic axis has a
+stands to the crossover as in the standard gains, which have ζ = 0.91. A hydraulic axis has a
 crossover alone: its damping comes from leakage.
 """
 
@@ -31,7 +31,7 @@ from ropsim.spatial import Array
 STANDARD_DAMPING = 0.5 * POSITION_SHARE**-0.5
 """Damping ratio of the standard gains."""
 _DIGITS = 4
-"""Gains are rounded to so many digits, as people write them into a file."""
+"""Gains are rounded to this number of digits, as people write them into a file."""
 
 
 def can_be_tuned(controller: ControllerModel) -> bool:

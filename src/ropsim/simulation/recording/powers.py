@@ -1,4 +1,4 @@
-"""Power that the drives of an arm draw, row by row, from what is recorded of them."""
+"""Power that the drives of an arm draw, row by row, from recorded columns."""
 
 from collections.abc import Mapping
 
@@ -14,7 +14,7 @@ POWER = "power"
 
 
 def drive_powers(robot: RobotModel, log: Mapping[str, Array]) -> dict[str, Array]:
-    """Return the power that each drive draws [W], negative where it gives back, shape (rows, n), by its name.
+    """Return the power of each drive [W], negative while it returns some, shape (rows, n), by its name.
 
     Nothing for an arm without drives, and for a log of an arm that follows its reference exactly.
 

@@ -68,7 +68,7 @@ class LinearLoop:
         return self._joined(np.ones(self.n), self.delay + late)
 
     def given(self) -> Array:
-        """Return C of u = C·z: what the law gives to the drives now, shape (n, z)."""
+        """Return C of u = C·z, the present inputs of the drives, shape (n, z)."""
         s, m, n = len(self.F), len(self.L), self.n
         C = np.zeros((n, s + m + self.delay * n))
         if self.delay:

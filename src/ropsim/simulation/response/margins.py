@@ -134,9 +134,9 @@ def margins(loop: LinearLoop, axis: int) -> Margins:
 def margins_of_all(loop: LinearLoop) -> tuple[Margins, ...]:
     """Return the margins of the loops of all axes, each as `margins` does, from their sensitivities.
 
-    What is added to the input of a drive while all loops are closed arrives there 1/(1 + L)-fold, with the
+    A value added to the input of a drive while all loops are closed arrives there 1/(1 + L)-fold, with the
     loop L that is open there alone. In the eigenvectors of the closed loop that takes no equations; where
-    these are nearly dependent the axes are looked at one by one.
+    these are nearly dependent each axis is treated separately.
 
     Args:
         loop: about a rest.

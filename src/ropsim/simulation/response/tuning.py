@@ -15,9 +15,9 @@ from ropsim.spatial import Array, record
 MOST_SENSITIVITY = 2.0
 """Largest Ms of a loop that bears its model being somewhat wrong."""
 LEAST_GAIN_MARGIN = 2.0
-"""Least gain margin of such a loop."""
+"""Least gain margin of the same."""
 _FACTORS = 2.0 ** (0.5 * np.arange(-4.0, 9.0))
-"""By these the bandwidth of an axis is tried: too low ones do not hold what a law makes up for."""
+"""By these the bandwidth of an axis is tried: too low ones do not hold an arm with compensated weight."""
 _ROUNDS = 3
 """Halvings of the last step between two of them: to a share of 1.04."""
 _LESS = 0.9
@@ -27,7 +27,7 @@ _LOWERINGS = 24
 Built = Callable[[Array], ControllerModel]
 """From bandwidths [rad/s], shape (n,), to a controller."""
 Reported = Callable[[float, str], None]
-"""Reported which share is done, and what is going on."""
+"""Receives the share that is done and the present activity."""
 
 
 @record
@@ -64,8 +64,8 @@ def check_places(
         robot: with drives.
         controller: of the arm.
         grid: the places.
-        loads: at the mechanical interface; the law knows them.
-        reported: hears of the progress; None for nobody.
+        loads: at the mechanical interface; the law has them.
+        reported: receives the progress, or None.
 
     Returns:
         A check for each place and load; nothing for an arm that holds itself nowhere.
@@ -102,14 +102,14 @@ def margin_utilisation(found: Margins) -> float:
 
 @record
 class _Search:
-    """What is needed to judge bandwidths.
+    """The data for a judgement of bandwidths.
 
     Attributes:
         robot: with drives.
         built: makes controllers.
         grid: places.
         loads: at the mechanical interface.
-        reported: hears of the progress; None for nobody.
+        reported: receives the progress, or None.
     """
 
     robot: RobotModel
@@ -146,7 +146,7 @@ def largest_bandwidths(
 
     First all axes are raised or lowered together, from a quarter to sixteen times the start: with loops that
     differ much in speed, an arm whose mass matrix is nearly singular bears little at each drive. Then each
-    axis is raised as far as the loops of all bear it. Both look at the worst places, and are lowered until
+    axis is raised as far as the loops of all bear it. Both go by the worst places, and are lowered until
     all places agree.
 
     Args:
@@ -155,10 +155,10 @@ def largest_bandwidths(
         start: bandwidths with which the arm is stable [rad/s], shape (n,).
         grid: places, at one of which at least it holds itself.
         loads: at the mechanical interface.
-        reported: hears of the progress; None for nobody.
+        reported: receives the progress, or None.
 
     Returns:
-        Bandwidths [rad/s], shape (n,): where none keep them those that come nearest.
+        Bandwidths [rad/s], shape (n,): where none keep them, the nearest ones.
     """
     search = _Search(robot, built, grid, loads, reported)
     cases = _worst_cases(search.checks(start), robot.n)

@@ -1,4 +1,4 @@
-"""What a page of responses shows, as plain numbers and texts."""
+"""The content of a page of responses, as plain numbers and texts."""
 
 from ropsim.core import frozen_dataclass
 from ropsim.spatial import Array, record

@@ -11,9 +11,9 @@ from ropsim.views.summary.joint_summary import share
 
 @frozen_dataclass
 class DriveUse:
-    """The use of one drive in one run; NaN for what it does not have.
+    """The use of one drive in one run; NaN for quantities that it lacks.
 
-    Shares are those of limits of the model. It has no limit of the lasting torque; one of the lasting current
+    Shares refer to limits of the model. It has no limit of the lasting torque; one of the lasting current
     follows from the greatest rise of a winding where that is watched.
 
     Attributes:

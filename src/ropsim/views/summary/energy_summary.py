@@ -1,7 +1,7 @@
 """The energy that the drives of a station draw: in all, and by source line.
 
-The drives of a station share one supply, so that what one gives back another one draws: drawn and given back
-are those of all drives together.
+The drives of a station share one supply: one draws the energy that another returns, so that both figures
+refer to the sum of all drives.
 """
 
 import math
@@ -39,13 +39,13 @@ class LineEnergy:
 
     @property
     def net(self) -> float:
-        """Return what was drawn less what was given back [J]."""
+        """Return the difference of both energies [J]."""
         return self.drawn - self.given_back
 
 
 @frozen_dataclass
 class EnergySummary:
-    """The energy of one station in one run, without what amplifiers, controller and brakes take.
+    """The energy of one station in one run, without losses of amplifiers, controller and brakes.
 
     Attributes:
         drawn: energy drawn from the supply [J].
@@ -65,7 +65,7 @@ class EnergySummary:
 
     @property
     def net(self) -> float:
-        """Return what was drawn less what was given back [J]."""
+        """Return the difference of both energies [J]."""
         return self.drawn - self.given_back
 
     @property
@@ -74,7 +74,7 @@ class EnergySummary:
         return self.net / self.duration if self.duration > 0.0 else math.nan
 
     def share(self, line: LineEnergy) -> float:
-        """Return which share of what is drawn a line takes."""
+        """Return the share of a line in the energy drawn."""
         return line.drawn / self.drawn if self.drawn > 0.0 else math.nan
 
 

@@ -61,7 +61,7 @@ def test_the_printed_lines_are_a_section_of_the_cell_file(
 def test_loops_of_fixed_gains_get_theirs_and_the_largest_bandwidths_keep_margins(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    cell = written(tmp_path, "patu655")
+    cell = written(tmp_path, "patu655", '[controller]\nlaw = "fixed gains"\n')
     code, found = document(capsys, str(cell))
     assert (code, found["law"]) == (0, "cascaded_p_pi")
     assert 'law = "fixed gains"' in found["toml"]
@@ -71,6 +71,18 @@ def test_loops_of_fixed_gains_get_theirs_and_the_largest_bandwidths_keep_margins
     assert min(one["slowest_hz"] for one in found["places"]) < max(
         one["slowest_hz"] for one in found["places"]
     )
+
+
+def test_a_law_with_a_rule_of_its_own_is_judged_as_it_is(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    cell = written(tmp_path, "patu655")
+    code, found = document(capsys, str(cell))
+    assert (code, found["law"], found["toml"]) == (0, "flow_load_damping", None)
+    assert all(one["bandwidth_hz"] is None for one in found["axes"])
+    assert all(one["worst"]["margins"]["sensitivity"] < 2.0 for one in found["axes"])
+    assert main(["controller", "tune", str(cell), "--bandwidth", "1"]) == 2
+    assert "flow, load and damping" in capsys.readouterr().err
 
 
 def test_unstable_loops_are_told_and_end_with_1(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -124,7 +124,7 @@ def _check_place(path: str | None, project: Project) -> None:
 
 
 def _written(path: str | None, rest: Rest, tested: list[TestedAxis]) -> list[str]:
-    """Write the HTML page if one is asked for, and return its path."""
+    """Write the HTML page where a path is given, and return that path."""
     if not path:
         return []
     page = response_page(response_records(rest, tested))
@@ -218,5 +218,5 @@ def _rest(cell: Cell, station: Station, options: argparse.Namespace) -> tuple[Ar
 
 
 def not_tested(message: str, hint: str) -> NotTestedError:
-    """Return the error that something has no loops that could be tested as asked for."""
+    """Return the error that loops cannot be tested as requested."""
     return NotTestedError(NOT_TESTED.at(None, message, hint=hint))

@@ -1,4 +1,4 @@
-"""`ropsim controller tune`: gains of a station from bandwidths, and what its loops bear over its places."""
+"""`ropsim controller tune`: gains of a station from bandwidths, and margins over the places of its arm."""
 
 import argparse
 import math
@@ -39,9 +39,11 @@ def tune(options: argparse.Namespace, output: Output) -> int:
     output.engine_note()
     station = tested_station(cell, options.station)
     robot, controller = station.robot, station.controller
-    if not robots.can_be_tuned(controller):
+    can_be_tuned = robots.can_be_tuned(controller)
+    if not can_be_tuned and (options.bandwidth or options.damping is not None):
         law = LAW_WORDS.get(controller.kind, controller.kind.value)
-        raise not_tested(f"the law `{law}` has no gains that follow from a bandwidth", "tune its parameters")
+        message = f"the law `{law}` has no gains that follow from bandwidth and damping"
+        raise not_tested(message, "without --bandwidth and --damping its present gains are judged")
     damping = robots.STANDARD_DAMPING if options.damping is None else options.damping
     built = partial(_built, robot, controller, damping)
     grid, loads = place_grid(robot), _loads(station)
@@ -49,12 +51,14 @@ def tune(options: argparse.Namespace, output: Output) -> int:
     with Progress(f"tuning {robot.name}") as progress:
         if not check_places(robot, controller, grid, bodies[:1]):
             raise not_tested("the drives do not hold the arm at any place", "`ropsim check` says why")
-        if options.bandwidth:
+        if not can_be_tuned:
+            bandwidths = np.full(robot.n, np.nan)
+        elif options.bandwidth:
             bandwidths = _given(robot, controller, options.bandwidth)
         else:
             start = robots.loop_bandwidths(robot, _standard(robot, controller))
             bandwidths = largest_bandwidths(robot, built, start, grid, bodies, progress)
-        tuned = built(bandwidths)
+        tuned = built(bandwidths) if can_be_tuned else controller
         checks = check_places(robot, tuned, grid, bodies, progress)
     shown = Tuned(
         station.name,
