@@ -12,7 +12,7 @@ from ropsim.kinematics import point_answers, tool_pose
 from ropsim.model import RobotModel, on_track
 from ropsim.motion import SampledPath
 from ropsim.planning import MotionChain, MotionState, Refusal, plan, plan_move
-from ropsim.planning.testing import planned_move_of
+from ropsim.planning.testing import last_request, planned_move_of, without_request
 from ropsim.spatial import Array, Pose
 from support.carried import carried_cell, from_plate, to_plate
 from support.cells import chain_of
@@ -28,7 +28,7 @@ from support.few_axes import (
     to_point,
     two_link,
 )
-from support.motion import FINE, LINE, PUMA, START, lin, planned, planned_stretch, refused
+from support.motion import FINE, LINE, PUMA, START, lin, planned, planned_stretch, ptp, refused
 
 ON_LINE = 1e-9
 """Largest distance of a TCP from its line [m]."""
@@ -234,6 +234,18 @@ def test_of_two_branches_the_one_is_taken_from_which_a_later_line_can_be_followe
     made = planned_stretch(moves, low + 0.02, chain)
     assert made.reference.q[-1, 1] > 0.0
     assert "M585" in {one.code for one in made.findings}
+
+
+@pytest.mark.parametrize("words", [(), ("down",)])
+def test_the_word_alone_asks_for_no_posture(words: tuple[str, ...]) -> None:
+    """Where a later line cannot be followed a posture may be why, a free orientation is not."""
+    X = tool_pose(PUMA, START, Pose())
+    first = replace(ptp(Pose(X.position + 0.02), FINE), posture=replace(FREE, words=words))
+    far = replace(lin(Pose(X.position + np.array([0.0, 0.0, 3.0])), FINE), posture=FREE)
+    (only,) = without_request([first], 0)
+    assert only.has_free_orientation
+    assert not only.asks_for_branch
+    assert last_request([first, far]) == (0 if words else None)
 
 
 def test_a_corner_between_lines_is_passed_without_a_stop() -> None:
