@@ -90,6 +90,16 @@ class PostureRequest:
     turns: tuple[int, ...] = ()
     orientation: TargetOrientation = TargetOrientation.GIVEN
 
+    @property
+    def names_branch(self) -> bool:
+        """Return whether it names a posture or turns, so that some branches are left out."""
+        return bool(self.words or self.turns)
+
+    @property
+    def of_any_branch(self) -> "PostureRequest":
+        """Return the request without posture and turns."""
+        return PostureRequest(orientation=self.orientation)
+
 
 class MotionKind(StrEnum):
     """How the TCP travels, of the kinds that are built in.
@@ -192,6 +202,11 @@ class MoveInstruction:
     guard: Guard | None = None
     posture: PostureRequest | None = None
     tracking: PathTracking | None = None
+
+    @property
+    def asks_for_branch(self) -> bool:
+        """Return whether the target is to be reached in a posture or with turns."""
+        return self.posture is not None and self.posture.names_branch
 
     @property
     def has_free_orientation(self) -> bool:

@@ -85,6 +85,8 @@ from ropsim.planning.postures.part_times_kernel import part_times as part_times
 from ropsim.planning.postures.path_conflicts import conflict_of as conflict_of
 from ropsim.planning.postures.path_conflicts import is_narrow as is_narrow
 from ropsim.planning.postures.path_conflicts import time_of as time_of
+from ropsim.planning.postures.requested_conflict import last_request as last_request
+from ropsim.planning.postures.requested_conflict import without_request as without_request
 from ropsim.planning.records.planned_path import move_limits as move_limits
 from ropsim.planning.records.posture_choice import LIMIT_SLACK as LIMIT_SLACK
 from ropsim.planning.records.posture_choice import JointRange as JointRange

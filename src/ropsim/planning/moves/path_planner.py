@@ -156,7 +156,7 @@ class StandardPathPlanner:
         branches = self._branches(move, X_BT, so_far, there)
         if isinstance(branches, Refusal):
             return branches
-        if move.posture is not None and self._range.inside(branches).any():
+        if move.posture is not None and move.asks_for_branch and self._range.inside(branches).any():
             as_requested = with_request(self.robot, branches, move.posture)
             if not self._range.inside(as_requested).any():
                 return Refusal((no_such_posture(move, self.robot, branches, q_start, self._range),))
@@ -165,7 +165,7 @@ class StandardPathPlanner:
         choice = choosing(self.robot, branches, q_start, self._range, so_far.limits.joints)
         if choice is None:
             return Refusal((out_of_range(move, self.robot, branches, self._range),))
-        if not choice.keeps_posture and move.posture is None:
+        if not choice.keeps_posture and not move.asks_for_branch:
             changed = posture_change(move, self.robot, q_start, choice.q)
             so_far = replace(so_far, findings=so_far.findings + changed)
         return self._with_joints(move, so_far, q_start, choice.q)

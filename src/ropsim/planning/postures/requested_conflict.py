@@ -22,7 +22,9 @@ def last_request(sequence: Sequence[MoveInstruction]) -> int | None:
 
 def without_request(sequence: Sequence[MoveInstruction], number: int) -> list[MoveInstruction]:
     """Return the moves of a sequence, of which one may end in any posture."""
-    return [*sequence[:number], replace(sequence[number], posture=None), *sequence[number + 1 :]]
+    move = sequence[number]
+    posture = move.posture.of_any_branch if move.posture else None
+    return [*sequence[:number], replace(move, posture=posture), *sequence[number + 1 :]]
 
 
 def conflict_with_request(
@@ -50,4 +52,4 @@ def conflict_with_request(
 
 
 def _asks(move: MoveInstruction) -> bool:
-    return move.kind == MotionKind.PTP and isinstance(move.target, Pose) and move.posture is not None
+    return move.kind == MotionKind.PTP and isinstance(move.target, Pose) and move.asks_for_branch

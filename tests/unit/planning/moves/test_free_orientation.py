@@ -10,7 +10,9 @@ from ropsim import robots
 from ropsim.flow import ModalState, MotionKind, MoveInstruction, Origin
 from ropsim.kinematics import point_answers, tool_pose
 from ropsim.model import RobotModel, on_track
+from ropsim.motion import SampledPath
 from ropsim.planning import MotionChain, MotionState, Refusal, plan, plan_move
+from ropsim.planning.testing import last_request, planned_move_of, without_request
 from ropsim.spatial import Array, Pose
 from support.carried import carried_cell, from_plate, to_plate
 from support.cells import chain_of
@@ -26,7 +28,7 @@ from support.few_axes import (
     to_point,
     two_link,
 )
-from support.motion import FINE, LINE, PUMA, START, lin, planned, planned_stretch, refused
+from support.motion import FINE, LINE, PUMA, START, lin, planned, planned_stretch, ptp, refused
 
 ON_LINE = 1e-9
 """Largest distance of a TCP from its line [m]."""
@@ -234,6 +236,18 @@ def test_of_two_branches_the_one_is_taken_from_which_a_later_line_can_be_followe
     assert "M585" in {one.code for one in made.findings}
 
 
+@pytest.mark.parametrize("words", [(), ("down",)])
+def test_the_word_alone_asks_for_no_posture(words: tuple[str, ...]) -> None:
+    """Where a later line cannot be followed a posture may be why, a free orientation is not."""
+    X = tool_pose(PUMA, START, Pose())
+    first = replace(ptp(Pose(X.position + 0.02), FINE), posture=replace(FREE, words=words))
+    far = replace(lin(Pose(X.position + np.array([0.0, 0.0, 3.0])), FINE), posture=FREE)
+    (only,) = without_request([first], 0)
+    assert only.has_free_orientation
+    assert not only.asks_for_branch
+    assert last_request([first, far]) == (0 if words else None)
+
+
 def test_a_corner_between_lines_is_passed_without_a_stop() -> None:
     robot, chain = two_link(), chain_for(two_link())
     q = np.array([0.9, -1.7])
@@ -285,6 +299,25 @@ def test_arcs_and_curves_keep_to_their_path(kind: MotionKind) -> None:
     if kind is MotionKind.CIRC:
         centre = at + np.array([0.1, 0.0, 0.0])
         assert np.abs(np.linalg.norm(reached - centre, axis=1) - 0.1).max() < ON_LINE
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_the_path_of_the_joints_has_exact_derivatives(name: str) -> None:
+    """Between its samples, too, the TCP is on the line and goes along it with speed 1."""
+    robot, chain, rng = ARMS[name], chained(name), np.random.default_rng(31)
+    q = drawn(robot, rng)
+    step = 0.02 * rng.normal(size=robot.n) * np.minimum(robot.upper_limits - robot.lower_limits, 4.0)
+    begin, end = places(robot, q)[0], places(robot, q + step)[0]
+    made = planned_move_of(chain, to_point(LIN, end), q)
+    assert not isinstance(made, Refusal), made
+    joints = made.joints
+    assert isinstance(joints, SampledPath)
+    assert joints.derivatives is not None
+    s, h = np.linspace(0.01, 0.99, 57) * joints.length, 1e-6
+    at = joints.joints(s)
+    assert beside_line(places(robot, at.q), begin, end).max() < ON_LINE
+    speed = (places(robot, at.q + h * at.d1) - places(robot, at.q - h * at.d1)) / (2.0 * h)
+    assert np.abs(speed - (end - begin) / joints.length).max() < 1e-6
 
 
 def test_orientation_limits_do_not_bind_what_is_free() -> None:
