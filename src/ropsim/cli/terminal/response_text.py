@@ -181,6 +181,7 @@ def response_document(rest: Rest, tested: Sequence[TestedAxis]) -> dict[str, obj
         "control_hz": rest.controller.rates.control_hz,
         "q": rest.q.tolist(),
         "load": rest.load,
+        "sensors": [one.quantity for one in rest.controller.sensors.sensors],
         "modes": {"hz": frequencies.tolist(), "damping": ratios.tolist()},
         "axes": [_axis_entry(rest, one) for one in tested],
     }

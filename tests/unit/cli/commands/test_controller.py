@@ -110,3 +110,22 @@ def test_an_unstable_loop_is_an_error(tmp_path: Path, capsys: pytest.CaptureFixt
     wild = written(tmp_path, "puma560", f"[controller]\nkp = [{gains}]\n")
     assert main(["controller", "response", str(wild), "--axis", "1"]) == 1
     assert "unstable" in "".join(capsys.readouterr())
+
+
+def test_what_sensors_do_is_in_the_answer_and_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    exact, late = tmp_path / "exact", tmp_path / "late"
+    for folder, more in (
+        (exact, ""),
+        (late, "[controller.sensors]\ncoordinate = { bits = 18, delay = 0.002 }\n"),
+    ):
+        folder.mkdir()
+        written(folder, "puma560", more)
+    (_, one), (_, other) = (document(capsys, str(each), "--axis", "1") for each in (exact, late))
+    assert (one["sensors"], other["sensors"]) == ([], ["coordinate"])
+    assert other["axes"][0]["margins"]["phase"] < one["axes"][0]["margins"]["phase"]
+    assert main(["controller", "response", str(late), "--axis", "1"]) == 0
+    text = capsys.readouterr().out
+    assert "responses: with the sensors of the cell for coordinate, their steps and noise" in text
+    assert "of sensors with delays and rates, without steps and noise" in text

@@ -10,7 +10,9 @@ from functools import cache
 import numpy as np
 import pytest
 
+from ropsim.codegen import Engine
 from ropsim.controller import law_of
+from ropsim.flow import JointReference
 from ropsim.model import (
     ControllerKind,
     ControllerModel,
@@ -189,3 +191,16 @@ def test_its_loops_have_their_margins_at_the_squares(wrong: bool) -> None:
             assert found.stable
             assert found.gain > 2.0
             assert found.sensitivity < 2.0
+
+
+@pytest.mark.parametrize("kind", [FLOW, PI])
+def test_plain_python_gives_the_same_as_compiled_code(kind: ControllerKind) -> None:
+    robot, wanted = _with_edges(0.02, 0.01), square("far high").reference
+    reference = JointReference(wanted.q[200:500], wanted.qd[200:500], wanted.qdd[200:500])
+    one, other = (
+        simulate(robot, _standard(kind), reference, SimulationOptions(payload=LOAD, engine=engine))
+        for engine in Engine
+    )
+    for name in ("q", "pressure_a", "valve_current"):
+        a, b = (each.channels[name].values for each in (one, other))
+        np.testing.assert_allclose(a, b, rtol=1e-6, atol=1e-9 * np.abs(b).max())
