@@ -163,6 +163,7 @@ from ropsim.model.mechanism.links import Joint as Joint
 from ropsim.model.mechanism.links import JointType as JointType
 from ropsim.model.mechanism.links import Link as Link
 from ropsim.model.mechanism.links import LoopCut as LoopCut
+from ropsim.model.mechanism.loop_check import loop_coordinates as loop_coordinates
 from ropsim.model.mechanism.mechanism import Mechanism as Mechanism
 from ropsim.model.mechanism.mechanism import first_coordinates as first_coordinates
 from ropsim.model.mechanism.mechanism_check import MechanismError as MechanismError
