@@ -9,6 +9,7 @@ from ropsim.codegen import Engine, load
 from ropsim.controller import (
     CompiledLaw,
     LawInput,
+    LawTraits,
     PythonLaw,
     compiled_half,
     in_python,
@@ -16,7 +17,7 @@ from ropsim.controller import (
     law_arrays,
     law_model,
 )
-from ropsim.dynamics import arm_numbers, barycentric, structure_of
+from ropsim.dynamics import arm_numbers, barycentric, passive_ratios, structure_of
 from ropsim.model import ControllerModel, Friction, Payload, RobotModel
 from ropsim.simulation.servo.held_state import SMALL, held_state, without_dead_zones
 from ropsim.simulation.servo.plant_code import efforts, plant_code
@@ -135,8 +136,8 @@ def linear_loop(
     x, u = held_state(arm, q, payload)
     chosen, rates = law or joint_law(controller, robot), controller.rates
     F, G = _plant(arm, payload, (x, u), rates.control_period, plant_steps_of(robot, rates))
-    seen = _Seen.of(robot, controller, chosen, u)
-    F, G, x = seen.with_delays(F, G, x)
+    seen = _Seen.of(robot, controller, chosen, (x, u))
+    F, G, x = seen.with_delays(F, G, x[: seen.layout.driven])
     K, L = _law(seen, x, payload)
     return LinearLoop(frozen(F), frozen(G), frozen(K), frozen(L), rates.control_period, chosen.traits.delay)
 
@@ -154,19 +155,25 @@ def _plant(
 ) -> tuple[Array, Array]:
     """Return how the state after a tick follows from that before it and from the command of the law.
 
-    Steps of the classical Runge-Kutta method multiply by the first five terms of the exponential series.
+    Coordinates of closed chains move as the axes let them. Steps of the classical Runge-Kutta method
+    multiply by the first five terms of the exponential series.
     """
-    code = plant_code(structure_of(robot))
+    structure = structure_of(robot)
+    code, layout = plant_code(structure), StateLayout.of(structure, LawTraits())
     constants = code.constants(arm_numbers(robot, payload))
-    derivative, s, n = load("derivative", code.functions, Engine.PYTHON), len(rest[0]), len(rest[1])
+    derivative, s, n = load("derivative", code.functions, Engine.PYTHON), layout.driven, len(rest[1])
+    K = passive_ratios(robot, rest[0][np.newaxis, :n])[0] if robot.cuts else None
 
     def rates(values: Array) -> Array:
-        dx = np.empty(s)
-        derivative(values[:s].copy(), values[s:].copy(), constants, dx)
-        return dx
+        x, dx = np.concatenate((values[:s], rest[0][s:])), np.empty(len(rest[0]))
+        if K is not None:
+            x[list(layout.loops.passive)] += K @ (values[:n] - rest[0][:n])
+            x[list(layout.loops.passive_speeds)] = K @ values[n : 2 * n]
+        derivative(x, values[s:].copy(), constants, dx)
+        return dx[:s]
 
     whole = np.zeros((s + n, s + n))
-    whole[:s] = _differences(rates, np.concatenate(rest))
+    whole[:s] = _differences(rates, np.concatenate((rest[0][:s], rest[1])))
     step = term = np.eye(s + n)
     for order in range(1, 5):
         term = term @ whole * (period / steps / order)
@@ -183,19 +190,23 @@ class _Seen:
         robot: the arm.
         law: its law.
         layout: of its state.
-        u: outputs of the amplifiers at rest.
+        rest: the integrated state, and outputs of the amplifiers, at rest.
         late: for each row of a frame (see `Servo`) the control ticks by which it is late.
     """
 
     robot: RobotModel
     law: CompiledLaw | PythonLaw
     layout: StateLayout
-    u: Array
+    rest: tuple[Array, Array]
     late: tuple[int, ...]
 
     @classmethod
     def of(
-        cls, robot: RobotModel, controller: ControllerModel, law: CompiledLaw | PythonLaw, u: Array
+        cls,
+        robot: RobotModel,
+        controller: ControllerModel,
+        law: CompiledLaw | PythonLaw,
+        rest: tuple[Array, Array],
     ) -> "_Seen":
         layout, late = (
             StateLayout.of(structure_of(robot), law.traits),
@@ -203,13 +214,14 @@ class _Seen:
         )
         for channel in sensing_of(controller, compiled_half(law, np.zeros(robot.n))).channels:
             late[channel.row] = channel.delay + channel.period // 2
-        return cls(robot, law, layout, u, tuple(late))
+        return cls(robot, law, layout, rest, tuple(late))
 
     def frame(self, x: Array) -> Array:
         """Return true values by rows, shape (r, n)."""
         n, found = self.robot.n, np.zeros((len(self.late), self.robot.n))
         found[0], found[1] = x[:n], x[list(self.layout.measured_speeds)]
-        efforts(self.robot, x.copy(), self.u, found[2])
+        at_rest, u = self.rest
+        efforts(self.robot, np.concatenate((x, at_rest[len(x) :])), u, found[2])
         for row, places in enumerate(self.layout.sensed(self.law.traits.sensed), start=4):
             found[row] = [0.0 if one is None else x[one] for one in places]
         return found
@@ -249,7 +261,7 @@ def _law(seen: _Seen, x: Array, payload: Payload) -> tuple[Array, Array]:
     function = _called(law, robot, payload)
     arrays = law_arrays(compiled_half(law, np.zeros(robot.n)), robot.n)
     rests = not isinstance(law, CompiledLaw) or law.model is not None
-    n, s, size = robot.n, layout.integrated, len(x)
+    n, s, size = robot.n, layout.driven, len(x)
     arrays["load"] = np.array(barycentric(payload.mass, payload.com, payload.inertia))
 
     def answer(found: Array, memory: Array, q_ref: Array) -> Array:
@@ -264,7 +276,7 @@ def _law(seen: _Seen, x: Array, payload: Payload) -> tuple[Array, Array]:
 
     memory = np.zeros((layout.law_rows, n))
     if rests and law.traits.hold_row is not None:
-        memory[law.traits.hold_row] = seen.u * np.array([drive.sense for drive in robot.drives])
+        memory[law.traits.hold_row] = seen.rest[1] * np.array([drive.sense for drive in robot.drives])
     kept, found = memory.ravel(), seen.given(x, s)
     for _ in range(_LONGEST_REST if rests else 0):
         before, kept = kept, answer(found, kept, x[:n])[n:]
