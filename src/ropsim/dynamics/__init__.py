@@ -57,6 +57,7 @@ from ropsim.dynamics.loops.plant_code import motion_code as motion_code
 from ropsim.dynamics.loops.plant_code import plant_formulas as plant_formulas
 from ropsim.dynamics.loops.step_code import step_code as step_code
 from ropsim.dynamics.loops.tree_motion import SpringLengths as SpringLengths
+from ropsim.dynamics.loops.tree_motion import passive_ratios as passive_ratios
 from ropsim.dynamics.loops.tree_motion import spring_lengths as spring_lengths
 from ropsim.dynamics.model_check import check_model as check_model
 from ropsim.dynamics.moved_masses import check_moved_masses as check_moved_masses

@@ -46,6 +46,19 @@ def tree_motion(
     return y, yd, ydd
 
 
+def passive_ratios(robot: Mechanism, Q: npt.ArrayLike) -> Array:
+    """Return how fast each axis moves each coordinate that closed chains determine, shape (k, p, n).
+
+    Args:
+        robot: n axes.
+        Q: coordinates of the axes [rad | m], shape (k, n).
+    """
+    rows, n = np.asarray(Q, np.float64), robot.n
+    units = np.tile(np.eye(n), (len(rows), 1))
+    _, speeds, _ = tree_motion(robot, np.repeat(rows, n, axis=0), units)
+    return speeds[:, n:].reshape(len(rows), n, -1).transpose(0, 2, 1)
+
+
 def step_ratios(robot: Mechanism, Q: npt.ArrayLike) -> Array:
     """Return how fast each axis moves each step of a mechanism, shape (k, m, n).
 
@@ -53,13 +66,10 @@ def step_ratios(robot: Mechanism, Q: npt.ArrayLike) -> Array:
         robot: n axes and m steps.
         Q: coordinates of the axes [rad | m], shape (k, n).
     """
-    tree, rows, n = joint_tree(robot), np.asarray(Q, np.float64), robot.n
+    tree, rows = joint_tree(robot), np.asarray(Q, np.float64)
     if not tree.P.size:
         return np.broadcast_to(tree.T, (len(rows), *tree.T.shape))
-    units = np.tile(np.eye(n), (len(rows), 1))
-    _, speeds, _ = tree_motion(robot, np.repeat(rows, n, axis=0), units)
-    K = speeds[:, n:].reshape(len(rows), n, -1).transpose(0, 2, 1)
-    return np.asarray(tree.T + tree.P @ K)
+    return np.asarray(tree.T + tree.P @ passive_ratios(robot, rows))
 
 
 class SpringLengths(NamedTuple):

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from ropsim.codegen import Engine, load
-from ropsim.controller import CompiledLaw, law_of
-from ropsim.dynamics import arm_numbers, barycentric, structure_of
+from ropsim.controller import CompiledLaw, LawTraits, law_of
+from ropsim.dynamics import arm_numbers, barycentric, passive_ratios, structure_of
 from ropsim.model import ControllerModel, Friction, Payload, RobotModel
 from ropsim.simulation.servo.held_state import SMALL, held_state, without_dead_zones
 from ropsim.simulation.servo.plant_code import plant_code
@@ -126,19 +126,25 @@ def _plant(
 ) -> tuple[Array, Array]:
     """Return how the state after a tick follows from that before it and from the command of the law.
 
-    Steps of the classical Runge-Kutta method multiply by the first five terms of the exponential series.
+    Coordinates of closed chains move as the axes let them. Steps of the classical Runge-Kutta method
+    multiply by the first five terms of the exponential series.
     """
-    code = plant_code(structure_of(robot))
+    structure = structure_of(robot)
+    code, layout = plant_code(structure), StateLayout.of(structure, LawTraits())
     constants = code.constants(arm_numbers(robot, payload))
-    derivative, s, n = load("derivative", code.functions, Engine.PYTHON), len(rest[0]), len(rest[1])
+    derivative, s, n = load("derivative", code.functions, Engine.PYTHON), layout.driven, len(rest[1])
+    K = passive_ratios(robot, rest[0][np.newaxis, :n])[0] if robot.cuts else None
 
     def rates(values: Array) -> Array:
-        dx = np.empty(s)
-        derivative(values[:s].copy(), values[s:].copy(), constants, dx)
-        return dx
+        x, dx = np.concatenate((values[:s], rest[0][s:])), np.empty(len(rest[0]))
+        if K is not None:
+            x[list(layout.loops.passive)] += K @ (values[:n] - rest[0][:n])
+            x[list(layout.loops.passive_speeds)] = K @ values[n : 2 * n]
+        derivative(x, values[s:].copy(), constants, dx)
+        return dx[:s]
 
     whole = np.zeros((s + n, s + n))
-    whole[:s] = _differences(rates, np.concatenate(rest))
+    whole[:s] = _differences(rates, np.concatenate((rest[0][:s], rest[1])))
     step = term = np.eye(s + n)
     for order in range(1, 5):
         term = term @ whole * (period / steps / order)
@@ -154,7 +160,7 @@ def _law(law: CompiledLaw, robot: RobotModel, x: Array, payload: Payload) -> tup
         exec(one.text, scope)
     exec(law.source, scope)
     layout = StateLayout.of(structure_of(robot), law.traits)
-    n, s, speeds = robot.n, layout.integrated, list(layout.measured_speeds)
+    n, s, speeds = robot.n, layout.driven, list(layout.measured_speeds)
     numbers = np.array(barycentric(payload.mass, payload.com, payload.inertia))
     signals = np.zeros(len(law.traits.aux)) if law.traits.aux else _NO_SIGNALS
 
@@ -165,7 +171,7 @@ def _law(law: CompiledLaw, robot: RobotModel, x: Array, payload: Payload) -> tup
         scope["law"](law.parameters, state, ref, meas, numbers, signals, out)
         return np.concatenate((out, state.ravel()))
 
-    rest = np.concatenate((x, np.zeros(layout.law_rows * n), x[:n]))
+    rest = np.concatenate((x[:s], np.zeros(layout.law_rows * n), x[:n]))
     J = _differences(answers, rest)
     return J[:n], J[n:]
 

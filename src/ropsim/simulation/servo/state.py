@@ -62,11 +62,16 @@ class StateLayout:
         return slice(self.n, 2 * self.n)
 
     @property
+    def driven(self) -> int:
+        """Return how many numbers belong to axes and drives: those of closed chains follow behind them."""
+        return self.integrated - (2 * self.passive + 1 if self.passive else 0)
+
+    @property
     def loops(self) -> LoopState:
         """Return the places of all coordinates and speeds, in an arm with closed chains."""
-        p, gap = self.passive, self.integrated - 1
-        drives = range(2 * self.n, gap - 2 * p)
-        return LoopState(self.n, range(gap - 2 * p, gap - p), range(gap - p, gap), drives, gap)
+        p, first, gap = self.passive, self.driven, self.integrated - 1
+        drives = range(2 * self.n, first)
+        return LoopState(self.n, range(first, first + p), range(first + p, gap), drives, gap)
 
     @property
     def output(self) -> slice:

@@ -132,3 +132,18 @@ def test_a_rocker_alone_gives_the_crank_its_inertia() -> None:
     _, speeds = crank_state(robot, 1.0)
     moment = 2.0 * 0.6**2 / 3.0
     assert mass_matrix(robot, [0.6])[0, 0] == pytest.approx(moment * speeds[2] ** 2, rel=1e-9)
+
+
+def test_a_thin_rod_between_ball_joints_spins_without_harm() -> None:
+    """Neither a row nor an inertia determines its spin: that stays as it is, and nothing else feels it."""
+    robot, y = swinging_body(0.3, 1.2)
+    ends = []
+    for spin_inertia in (0.0, 1e-4):
+        thin = Link(2.0, np.array([0.6, 0.0, 0.0]), np.diag([spin_inertia, 0.2, 0.2]))
+        moved = free_motion(
+            replace(robot, links=(robot.links[0], thin)), y, np.zeros(4), 1e-3, 400, every=400
+        )
+        assert np.isfinite(moved.y).all()
+        ends.append(moved.y[-1, 0])
+    assert ends[0] == pytest.approx(ends[1], abs=1e-9)
+    assert abs(ends[0] - y[0]) > 0.3

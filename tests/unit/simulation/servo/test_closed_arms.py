@@ -5,10 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from ropsim.codegen import Engine
 from ropsim.flow import JointReference
 from ropsim.model import JointSpring, Payload, RobotModel
 from ropsim.robots import default_controller
-from ropsim.simulation import DivergedError, Servo, ServoState
+from ropsim.simulation import DivergedError, Servo, ServoState, linear_loop
 from ropsim.simulation.testing import diverged, is_sound
 from support.closed_arms import COUPLED_PALLETIZER, palletizer
 
@@ -49,6 +50,22 @@ def test_springs_on_coordinates_act_in_cuts_as_in_couplings() -> None:
     _, coupled = run(replace(COUPLED_PALLETIZER, joint_springs=on), 50)
     assert np.abs(cut.q - coupled.q).max() < 1e-9
     assert np.abs(cut.q - plain.q).max() > 1e-8
+
+
+def test_plain_python_runs_them_as_compiled_code_does() -> None:
+    _, compiled = run(CUT, 3)
+    servo = Servo.build(CUT, CONTROLLER, engine=Engine.PYTHON)
+    state = servo.initial_state(CUT.home, PAYLOAD)
+    plain = servo.run(state, reference(3), PAYLOAD, servo.recorder(state))
+    assert np.abs(plain.values - compiled.values).max() < 1e-9
+
+
+def test_the_linear_loop_of_cuts_is_that_of_couplings() -> None:
+    cut, coupled = (linear_loop(one, CONTROLLER, one.home, PAYLOAD) for one in (CUT, COUPLED_PALLETIZER))
+    for name in ("F", "G", "K", "L"):
+        one, other = getattr(cut, name), getattr(coupled, name)
+        assert one.shape == other.shape
+        assert np.abs(one - other).max() < 1e-6 * max(1.0, np.abs(other).max()), name
 
 
 def test_an_arm_that_holds_still_stays_where_it_is() -> None:
