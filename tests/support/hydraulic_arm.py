@@ -12,7 +12,7 @@ import numpy as np
 
 from ropsim.core import SourceText
 from ropsim.flow import JointReference
-from ropsim.model import Drive, Friction, Hydraulic, Link, Payload, RobotModel
+from ropsim.model import Friction, Hydraulic, Payload, RobotModel
 from ropsim.robotfile import read_robot_file
 from ropsim.spatial import Array
 
@@ -99,30 +99,31 @@ def hydraulic_arm() -> RobotModel:
     return read.robot
 
 
-def mistaken(robot: RobotModel) -> RobotModel:
-    """Return the arm that a law believes in: lighter, stiffer oil, larger valves, less friction."""
-    links = tuple(replace(one, mass=0.8 * one.mass, inertia=0.8 * one.inertia) for one in robot.links)
-    assert all(isinstance(one, Link) for one in links)
-    return replace(robot, links=links, drives=tuple(map(_mistaken, robot.drives)))
-
-
-def _mistaken(drive: Drive) -> Drive:
-    motor, rubs = drive.motor, drive.friction
-    assert isinstance(motor, Hydraulic)
-    assert isinstance(rubs, Friction)
-    oil = replace(
-        motor,
-        bulk_modulus=1.4 * motor.bulk_modulus,
-        rated_flow=1.1 * motor.rated_flow,
-        leakage=0.5 * motor.leakage,
-    )
-    less = Friction(
-        0.5 * rubs.viscous,
-        0.5 * rubs.coulomb_positive,
-        0.5 * rubs.coulomb_negative,
-        smoothing_speed=rubs.smoothing_speed,
-    )
-    return replace(drive, motor=oil, friction=less)
+def mistaken(
+    robot: RobotModel,
+    mass: float = 0.8,
+    oil: float = 1.4,
+    flow: float = 1.1,
+    friction: float = 0.5,
+    leakage: float = 0.5,
+) -> RobotModel:
+    """Return the arm that a law believes in: lighter, with stiffer oil and larger valves, by factors."""
+    links = tuple(replace(one, mass=mass * one.mass, inertia=mass * one.inertia) for one in robot.links)
+    drives = []
+    for drive in robot.drives:
+        motor, rubs = drive.motor, drive.friction
+        assert isinstance(motor, Hydraulic)
+        assert isinstance(rubs, Friction)
+        motor = replace(
+            motor,
+            bulk_modulus=oil * motor.bulk_modulus,
+            rated_flow=flow * motor.rated_flow,
+            leakage=leakage * motor.leakage,
+        )
+        dry = friction * rubs.coulomb_positive, friction * rubs.coulomb_negative
+        rubs = Friction(friction * rubs.viscous, *dry, smoothing_speed=rubs.smoothing_speed)
+        drives.append(replace(drive, motor=motor, friction=rubs))
+    return replace(robot, links=links, drives=tuple(drives))
 
 
 def angles(points: Array) -> Array:

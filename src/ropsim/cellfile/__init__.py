@@ -7,7 +7,7 @@ from ropsim.cellfile.meanings import meaning_of as meaning_of
 from ropsim.cellfile.new_cell import POINTER as POINTER
 from ropsim.cellfile.new_cell import new_cell as new_cell
 from ropsim.cellfile.new_cell import written_coordinates as written_coordinates
-from ropsim.cellfile.places import law_file_in_cell_file as law_file_in_cell_file
+from ropsim.cellfile.places import controller_key_in_cell_file as controller_key_in_cell_file
 from ropsim.cellfile.places import mesh_in_files as mesh_in_files
 from ropsim.cellfile.places import place_in_cell_file as place_in_cell_file
 from ropsim.cellfile.places import program_in_cell_file as program_in_cell_file

@@ -36,12 +36,12 @@ def program_in_cell_file(text: SourceText | None, station: str) -> Span | None:
     return places.value((*path, "program")) if (*path, "program") in places.keys else places.key(path)
 
 
-def law_file_in_cell_file(text: SourceText | None, station: str) -> Span | None:
-    """Return where a cell file names the file of the joint controller of a station; None without a text."""
+def controller_key_in_cell_file(text: SourceText | None, station: str, *keys: str) -> Span | None:
+    """Return where a cell file has a value of the controller of a station; None without a text or a value."""
     if text is None:
         return None
     places = positions(text)
-    path = ("controller", "file") if station == ROBOT else ("stations", station, "controller", "file")
+    path = (*(("controller",) if station == ROBOT else ("stations", station, "controller")), *keys)
     return places.value(path) if path in places.keys else None
 
 

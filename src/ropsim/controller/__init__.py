@@ -9,6 +9,7 @@ from ropsim.controller.correction_room import ShiftedArm as ShiftedArm
 from ropsim.controller.correction_room import ShiftedJoints as ShiftedJoints
 from ropsim.controller.diagrams.diagram_law import diagram_law as diagram_law
 from ropsim.controller.diagrams.law_files import law_file_findings as law_file_findings
+from ropsim.controller.diagrams.own_module import made_by_module as made_by_module
 from ropsim.controller.diagrams.own_module import untrusted as untrusted
 from ropsim.controller.hydraulics.flow_law import flow_load_damping as flow_load_damping
 from ropsim.controller.hydraulics.parallel_pi import parallel_pi as parallel_pi
@@ -23,10 +24,12 @@ from ropsim.controller.law_code import law_arrays as law_arrays
 from ropsim.controller.law_code import law_code as law_code
 from ropsim.controller.law_code import law_functions as law_functions
 from ropsim.controller.law_diagnostics import LAW_DOES_NOT_FIT as LAW_DOES_NOT_FIT
+from ropsim.controller.law_diagnostics import MODULE_FAILS as MODULE_FAILS
 from ropsim.controller.law_diagnostics import GainError as GainError
 from ropsim.controller.law_diagnostics import LawError as LawError
 from ropsim.controller.law_model import LawModel as LawModel
 from ropsim.controller.law_model import law_model as law_model
+from ropsim.controller.laws import joint_law as joint_law
 from ropsim.controller.laws import law_of as law_of
 from ropsim.controller.motion_clock import ClockError as ClockError
 from ropsim.controller.motion_clock import ClockLimits as ClockLimits
@@ -36,6 +39,7 @@ from ropsim.controller.motion_clock import advance as advance
 from ropsim.controller.motion_clock import undisturbed as undisturbed
 from ropsim.controller.rehearsal import failed as failed
 from ropsim.controller.rehearsal import rehearse as rehearse
+from ropsim.controller.rehearsal import stopped as stopped
 from ropsim.controller.sensor_interface import CellSensors as CellSensors
 from ropsim.controller.sensor_interface import with_change as with_change
 from ropsim.controller.shifted_joints import braked as braked

@@ -7,8 +7,8 @@ parameters, so that arms of one structure share the code.
 
 A motor behind an elastic gear of stiffness k runs ahead of its joint by the twist τ/k, so that its reference
 has the speed q̇_ref + M·q⃛_ref/k and the acceleration q̈_ref + M·q⃜_ref/k, M being the mass matrix of links and
-load (A. De Luca: Feedforward/feedback laws for the control of flexible robots, ICRA 2000, 233-240; what
-gravity and Coriolis forces change within the time of a swing is left out). Both are differences over a tick,
+load (A. De Luca: Feedforward/feedback laws for the control of flexible robots, ICRA 2000, 233-240; changes
+of gravity and Coriolis forces within the time of a swing are left out). Both are differences over a tick,
 the speed smoothed a little.
 """
 
@@ -45,7 +45,7 @@ _ROWS = (
 """Rows of the parameters before the numbers of the arm, n in a row."""
 _KP, _KD, _KI, _PERIOD, _PER_EFFORT, _PER_SPEED, _LIMIT, _BAND, _SPAN, _SOFTNESS = range(len(_ROWS))
 _NEWER = 0.5
-"""Share of a twist speed that counts at its tick: a step of the jerk would ask for all torque there is."""
+"""Share of a twist speed that counts at its tick: a step of the jerk would need all torque there is."""
 _LOAD = 10
 _OPEN = 1e30
 """Stands for the limit of an amplifier without a limit [N·m | N]."""
@@ -74,7 +74,7 @@ def law(par, state, ref, meas, load, aux, out):
             state[0, j] = (held + {_COARSE!r}) - {_COARSE!r}
         out[j] = u
 """
-"""What `torques` leaves in `out` becomes inputs of the amplifiers; while one of them is at its limit, the
+"""The results of `torques` in `out` become inputs of the amplifiers; while one of them is at its limit, the
 integral of its axis stands still."""
 
 
@@ -83,7 +83,7 @@ def computed_torque(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
 
     Args:
         model: its gains and control period.
-        robot: arm with drives whose gears have one ratio each.
+        robot: arm with drives whose gears have constant ratios.
 
     Raises:
         GainError: the gains belong to another law, or do not have a number per axis.

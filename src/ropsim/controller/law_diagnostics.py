@@ -45,7 +45,8 @@ LAW_FAILS = define(
     """
 A law of your own cannot be read as Python, raises an exception, cannot be compiled, reaches beyond its
 arrays or puts out NaN. It is tried once in plain Python before a run, at rest and on its reference, with
-every index checked; while it runs, indexes are checked too. The message says what it did.
+every index checked; while it runs, indexes are checked too. The message says what it did, and at which line
+of its source. An output that becomes infinite or NaN later ends the run with S701.
 
 A compiled law is the source of `law`, whose arguments have names: `out`, and of `par`, `state`, `ref`,
 `meas`, `sensed`, `drive`, `model`, `work`, `load`, `aux` those that it needs. It may use `math`, loops and
@@ -90,7 +91,8 @@ MODULE_FAILS = define(
     """
 The module cannot be read as Python, raises an exception, or has no function of the name that is needed:
 `joint_controller(robot, controller)` for `file` in `[controller]`, which returns a `CompiledLaw` or an
-object with `traits` and `step`.
+object with `traits` and `step`; for a key of `[controller.entities]` the function of its name, such as
+`path_planner(standard, cell, station)`, which returns an object in place of the standard one.
 """,
 )
 

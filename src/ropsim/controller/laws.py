@@ -11,26 +11,35 @@ from ropsim.controller.law import CompiledLaw, PythonLaw
 from ropsim.controller.law_diagnostics import GAINS_OF_ANOTHER_LAW, GainError
 from ropsim.model import ControllerKind, ControllerModel, Mechanism
 
-LAWS: dict[ControllerKind, Callable[[ControllerModel, Mechanism], CompiledLaw | PythonLaw]] = {
+LAWS: dict[ControllerKind, Callable[[ControllerModel, Mechanism], CompiledLaw]] = {
     ControllerKind.CASCADED_P_PI: cascaded_p_pi,
     ControllerKind.COMPUTED_TORQUE: computed_torque,
-    ControllerKind.FILE: law_of_file,
     ControllerKind.FLOW_LOAD_DAMPING: flow_load_damping,
     ControllerKind.PARALLEL_PI: parallel_pi,
 }
-"""Without the ideal one: no drive follows it."""
+"""Without the ideal one, which no drive follows, and the law of a file."""
 
 
-def law_of(model: ControllerModel, robot: Mechanism) -> CompiledLaw | PythonLaw:
-    """Return the law of a controller model.
+def law_of(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
+    """Return the built-in law of a controller model.
 
     Raises:
-        GainError: the gains do not fit the law or the arm, or it is the ideal one, which has no law.
-        LawError: C602, C628, C629: the law does not fit, or a module of the project is not trusted or fails.
-        DiagramError: C621 to C626, a block diagram is wrong or does not fit.
+        GainError: the gains do not fit the law or the arm, or it has no built-in law.
+        LawError: C602, the drives of the arm do not take the output of the law.
     """
     if model.kind not in LAWS:
         message = f"law `{model.kind.value}` has no gains, so it drives no motors"
         hint = "give the robot drives and a controller that is made for them"
         raise GainError(GAINS_OF_ANOTHER_LAW.at(None, message, hint=hint))
     return LAWS[model.kind](model, robot)
+
+
+def joint_law(model: ControllerModel, robot: Mechanism) -> CompiledLaw | PythonLaw:
+    """Return the law of a controller model: a built-in one, or that of a file of the project.
+
+    Raises:
+        GainError: as `law_of`.
+        LawError: C602, C628, C629: the law does not fit, or a module of the project is not trusted or fails.
+        DiagramError: C621 to C626, a block diagram is wrong or does not fit.
+    """
+    return law_of_file(model, robot) if model.kind is ControllerKind.FILE else law_of(model, robot)

@@ -1,4 +1,4 @@
-"""Walking through reference rows at a rate that follows an override; numba compiles the loops."""
+"""Advancing through reference rows at a rate that follows an override; numba compiles the loops."""
 
 from math import floor, sqrt
 from typing import NamedTuple
@@ -36,7 +36,7 @@ class ClockNumbers(NamedTuple):
 def advance_clock(
     rows: Array3, limits: Array1, out: Array3, clock: ClockNumbers, place: float, rate: float, before: float
 ) -> None:
-    """Walk on, one control tick for each row of the result but the last.
+    """Advance, one control tick for each row of the result but the last.
 
     Within a tick the change c of the rate w is linear: w += T·(c + c')/2 and place += w + T·(2·c + c')/6.
 
@@ -71,8 +71,8 @@ def advance_clock(
 def _requested_change(difference: float, before: float, change: float, step: float) -> float:
     """Return the change at the next tick that brings the rate to the override in least time.
 
-    Whoever goes down from c = m·h + r, 0 <= r < h, by steps of h, ends at 0 when the rate has gone
-    T·((m + 1/2)·c - h·m·(m + 1)/2) further. With the half tick before that makes the greatest c that does
+    A change that decreases from c = m·h + r, 0 <= r < h, by steps of h, is 0 when the rate has advanced by
+    T·((m + 1/2)·c - h·m·(m + 1)/2). With the half tick before that makes the greatest c that does
     not lead past the override the solution of (m + 1)·c - h·m·(m + 1)/2 = way.
 
     Args:
@@ -97,10 +97,10 @@ def _allowed(
     before: float,
     requested: float,
 ) -> float:
-    """Return the change at the next tick: what is wished for, or what comes near it and is safe.
+    """Return the change at the next tick: the requested one, or a safe one near it.
 
     Safe is a change from which full jerk can take it to 0 without a joint beyond its limit on the way; from
-    a safe one the step towards 0 is safe again. A rate that does not change is always safe, as it is <= 1.
+    a safe one the step towards 0 is safe again. A rate that does not change is always safe, since it is <= 1.
     """
     if _is_safe(rows, limits, clock, place, rate, before, requested):
         return requested
@@ -193,7 +193,7 @@ def _reference(
 
 
 def _row(rows: Array, k: int, tick: int, out: Array) -> None:
-    """Write a row as it is, bit by bit."""
+    """Write a row unchanged, bit by bit."""
     for axis in range(3):
         for j in range(out.shape[2]):
             out[axis, tick, j] = rows[axis, k, j]
@@ -203,8 +203,8 @@ def _between(rows: Array, k: int, j: int, u: float, period: float) -> tuple[floa
     """Return coordinate, speed and acceleration of a joint at a share `u` of the way from row k to k + 1.
 
     The polynomial of fifth degree that has the coordinates, speeds and accelerations of both rows; its speed
-    and acceleration are kept within those of the two rows, so that between them no limit is passed that they
-    keep.
+    and acceleration are kept within the ones of the two rows, so that between them no limit is passed that
+    they keep.
     """
     q, v, a = rows[0, k, j], rows[1, k, j] * period, rows[2, k, j] * period * period
     v_end, a_end = rows[1, k + 1, j] * period, rows[2, k + 1, j] * period * period

@@ -1,5 +1,7 @@
 """A first call of a user's law, in plain Python, before the real ones."""
 
+import re
+from collections.abc import Mapping
 from pathlib import Path
 from traceback import extract_tb
 
@@ -8,6 +10,10 @@ import numpy as np
 from ropsim.controller.law import CompiledLaw
 from ropsim.controller.law_code import ARGUMENTS, in_python, law_arrays, law_code
 from ropsim.controller.law_diagnostics import LAW_FAILS, LawError
+from ropsim.spatial import Array
+
+_COMPILING = "Failed in nopython mode"
+"""What numba says first, whatever it is that it cannot compile."""
 
 
 def rehearse(law: CompiledLaw, n: int) -> None:
@@ -31,13 +37,13 @@ def rehearse(law: CompiledLaw, n: int) -> None:
     except KeyError:
         raise _fails(law, "its source defines no function `law`") from None
     except Exception as error:  # any exception of a user's source is reported
-        raise _fails(law, f"its source is no Python: {_description(error)}") from error
+        raise _fails(law, f"its source is no Python: {_description(law, error)}") from error
     arrays = law_arrays(law, n)
     try:
         with np.errstate(all="ignore"):
             function(arrays)
     except Exception as error:  # any exception of a user's source is reported
-        raise _fails(law, f"at rest it stops with {_description(error)}") from error
+        raise _fails(law, f"at rest it stops with {_description(law, error)}") from error
     out = arrays["out"]
     if not np.isfinite(out).all():
         raise _fails(law, f"at rest it puts out `{out.tolist()}`; every number must be finite")
@@ -45,7 +51,23 @@ def rehearse(law: CompiledLaw, n: int) -> None:
 
 def failed(law: CompiledLaw, error: Exception) -> LawError:
     """Return the error of a law that stopped while it ran, or that cannot be compiled."""
-    return _fails(law, _description(error))
+    return _fails(law, _description(law, error))
+
+
+def stopped(law: CompiledLaw, error: Exception, arrays: Mapping[str, Array]) -> LawError:
+    """Return the error of a compiled law that stopped, with the line at which it stops in plain Python.
+
+    Args:
+        law: the law.
+        error: of the compiled code, which names no line.
+        arrays: arguments of the law when it stopped; changed in place.
+    """
+    try:
+        with np.errstate(all="ignore"):
+            in_python(law)(arrays)
+    except Exception as found:  # any exception of a user's source is reported
+        return failed(law, found)
+    return failed(law, error)
 
 
 def _fails(law: CompiledLaw, found: str) -> LawError:
@@ -53,13 +75,28 @@ def _fails(law: CompiledLaw, found: str) -> LawError:
     return LawError(LAW_FAILS.at(None, f"law `{law.name}` fails: {found}", hint=hint))
 
 
-def _description(error: Exception) -> str:
-    """Return the kind of an error, its first line with words, and where it was raised."""
-    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
-    description = f"{type(error).__name__}: {lines[0]}" if lines else type(error).__name__
+def _description(law: CompiledLaw, error: Exception) -> str:
+    """Return the kind of an error, what it says first, and the line of the law where it was raised."""
+    text = str(error)
+    lines = [line.strip() for line in text.splitlines() if line.strip()]
+    said = [line for line in lines if not line.startswith(_COMPILING)] or lines
+    description = f"{type(error).__name__}: {said[0]}" if said else type(error).__name__
+    line = _line_of(error, text)
+    source = law.source.splitlines()
+    if line is not None and 0 < line <= len(source):
+        return f"{description} (line {line}, `{source[line - 1].strip()}`)"
     frames = extract_tb(error.__traceback__)
-    return (
-        f"{description} ({Path(frames[-1].filename).name}, line {frames[-1].lineno})"
-        if frames
-        else description
-    )
+    if not frames:
+        return description
+    return f"{description} ({Path(frames[-1].filename).name}, line {frames[-1].lineno})"
+
+
+def _line_of(error: Exception, text: str) -> int | None:
+    """Return the line of the law at which an error was raised, or that a compiler names."""
+    named = re.findall(r"<(?:generated law|law [^>]*)>(?: \(|\", line )(\d+)", text)
+    if named:
+        return int(named[-1])
+    if isinstance(error, SyntaxError):
+        return error.lineno
+    lines = [one.lineno for one in extract_tb(error.__traceback__) if one.filename.startswith("<law ")]
+    return lines[-1] if lines else None

@@ -58,6 +58,7 @@ from ropsim.dynamics.loops.plant_code import GAP as GAP
 from ropsim.dynamics.loops.plant_code import LoopState as LoopState
 from ropsim.dynamics.loops.plant_code import motion_code as motion_code
 from ropsim.dynamics.loops.plant_code import plant_formulas as plant_formulas
+from ropsim.dynamics.loops.step_code import step_code as step_code
 from ropsim.dynamics.loops.tree_motion import SpringLengths as SpringLengths
 from ropsim.dynamics.loops.tree_motion import spring_lengths as spring_lengths
 from ropsim.dynamics.model_check import check_model as check_model

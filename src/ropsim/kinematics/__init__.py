@@ -35,6 +35,7 @@ from ropsim.kinematics.chain.jacobian import frame_and_jacobian as frame_and_jac
 from ropsim.kinematics.chain.jacobian import jacobian as jacobian
 from ropsim.kinematics.chain.jacobian import jacobian_at as jacobian_at
 from ropsim.kinematics.chain.jacobian import jacobians_at as jacobians_at
+from ropsim.kinematics.chain.linear_loops import without_linear_loops as without_linear_loops
 from ropsim.kinematics.chain.loop_freedom import loop_freedom as loop_freedom
 from ropsim.kinematics.chain.loop_passage import LoopPassage as LoopPassage
 from ropsim.kinematics.chain.loop_passage import Obstacle as Obstacle

@@ -171,6 +171,7 @@ from ropsim.model.mechanism.links import Joint as Joint
 from ropsim.model.mechanism.links import JointType as JointType
 from ropsim.model.mechanism.links import Link as Link
 from ropsim.model.mechanism.links import LoopCut as LoopCut
+from ropsim.model.mechanism.loop_check import loop_coordinates as loop_coordinates
 from ropsim.model.mechanism.mechanism import Mechanism as Mechanism
 from ropsim.model.mechanism.mechanism import first_coordinates as first_coordinates
 from ropsim.model.mechanism.mechanism_check import MechanismError as MechanismError
@@ -189,6 +190,8 @@ from ropsim.model.mechanism.placements import pose_matrices as pose_matrices
 from ropsim.model.mechanism.placements import snapped as snapped
 from ropsim.model.mechanism.springs import JointSpring as JointSpring
 from ropsim.model.mechanism.springs import Spring as Spring
+from ropsim.model.own_entities import Entity as Entity
+from ropsim.model.own_entities import OwnEntity as OwnEntity
 from ropsim.model.robots.arm_class import ArmClass as ArmClass
 from ropsim.model.robots.composition import beside as beside
 from ropsim.model.robots.composition import on_track as on_track

@@ -9,6 +9,7 @@ from ropsim.flow import ParameterOrigin
 from ropsim.model.findings.number_range import COORDINATE, EXTENT, RATE, TIME, Ranges, between, whole
 from ropsim.model.joint_sensors import JointSensors
 from ropsim.model.law_file import LawFile
+from ropsim.model.own_entities import OwnEntity
 from ropsim.spatial import Array, frozen, record
 
 
@@ -325,6 +326,7 @@ class ControllerModel:
         short_lines: how chains of short lines with zones are flown.
         correction: how far and how quickly a sensor may shift a path.
         sensors: of the joint controller.
+        entities: that modules of the project make in place of the built-in ones.
         origins: where the gains come from.
     """
 
@@ -351,6 +353,7 @@ class ControllerModel:
     short_lines: ShortLines = ShortLines.CURVES
     correction: CorrectionLimits = CorrectionLimits()
     sensors: JointSensors = JointSensors()
+    entities: tuple[OwnEntity, ...] = ()
     origins: tuple[ParameterOrigin, ...] = ()
 
     def __post_init__(self) -> None:

@@ -1,11 +1,13 @@
 """A robot file to a robot (manual: docs/reference/robot-file.md)."""
 
+from dataclasses import replace
 from math import inf
 from pathlib import PurePath
 
 import numpy as np
 
 from ropsim.core import SourceText
+from ropsim.kinematics import loop_freedom
 from ropsim.model import (
     BASE_LINK,
     ArmClass,
@@ -70,6 +72,9 @@ def read_robot_file(source: SourceText) -> ReadRobot:
     if robot is None or any(one.is_error for one in found):
         return ReadRobot(None, found)
     wrong = tuple(one for one in audit(robot, robot_file_places(source)) if one.is_error)
+    if robot.cuts and not wrong:
+        at = root.key_span("loops")
+        wrong = tuple(replace(one, span=at) for one in loop_freedom(robot))
     return ReadRobot(None if wrong else robot, (*found, *wrong))
 
 

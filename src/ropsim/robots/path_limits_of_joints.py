@@ -5,7 +5,7 @@ from itertools import product
 
 import numpy as np
 
-from ropsim.kinematics import configurations, frames_batch, jacobians_at
+from ropsim.kinematics import configurations, frames_batch, jacobians_at, without_linear_loops
 from ropsim.model import Mechanism, PathDefaults, RobotModel, held_arm
 from ropsim.spatial import Array, Pose, frozen
 
@@ -55,9 +55,13 @@ def path_limits_of_joints(robot: Mechanism) -> PathDefaults | None:
         robot: with n axes.
 
     Returns:
-        The limits; None for a mechanism that is no arm, is closed, or has no such postures.
+        The limits; None for a mechanism that is no arm, has closed chains other than parallelograms, or
+        no such postures.
     """
-    return _of_joints(robot) if isinstance(robot, RobotModel) and robot.has_arm and not robot.cuts else None
+    if not isinstance(robot, RobotModel) or not robot.has_arm:
+        return None
+    linear = without_linear_loops(robot)
+    return None if linear.cuts else _of_joints(linear)
 
 
 @lru_cache(maxsize=64)

@@ -152,8 +152,8 @@ def _controller(
 
 
 def _is_hydraulic(robot: Mechanism) -> bool:
-    """Return whether all axes are hydraulic, without elastic gears."""
-    return len(hydraulic_axes(robot)) == robot.n and not elastic_axes(robot).any()
+    """Return whether all axes of an open chain are hydraulic, without elastic gears."""
+    return len(hydraulic_axes(robot)) == robot.n and not (robot.cuts or elastic_axes(robot).any())
 
 
 def _is_long(robot: Mechanism) -> bool:

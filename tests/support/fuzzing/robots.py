@@ -82,4 +82,83 @@ ratio = 314
 rotor_inertia = 5e-5
 """
 
-ARMS = tuple(text.encode() for text in (EVERYTHING, PUMA560, TWO_JOINTS))
+FRAMES = """
+title = "frames"
+convention = "frames"
+axes = ["left", "right"]
+home = [113, 53]
+class = "industrial"
+payload = 3
+[flange]
+on = "left elbow"
+position = [450, 0, 0]
+[[joints]]
+name = "left"
+position = [-200, 0, 0]
+limits = [-170, 170]
+speed = 120
+acceleration = 500
+jerk = 5000
+effort = 300
+[[joints]]
+name = "left elbow"
+position = [350, 0, 0]
+limits = [-166, -6]
+[[joints]]
+name = "right"
+on = "base"
+position = [200, 0, 0]
+rpy = [0, 0, 0]
+offset = 0
+limits = "endless"
+[[joints]]
+name = "right elbow"
+position = [350, 0, 0]
+[[joints]]
+name = "ball"
+type = "spherical"
+on = "right"
+quaternion = [1, 0, 0, 0]
+[[joints]]
+name = "spindle"
+type = "screw"
+on = "left"
+lead = 5
+follows = { left = 2, right = -0.5 }
+follows_from = 0.1
+[[links]]
+mass = 2
+com = [100, 0, 0]
+inertia = [0.02, 0.02, 0.02, 0, 0, 0]
+shapes = [{ box = [400, 40, 40], position = [200, 0, 0] }]
+[[links]]
+mass = 1
+[[links]]
+[[links]]
+[[links]]
+[[links]]
+[[loops]]
+first = { on = "left elbow", position = [450, 0, 0] }
+second = { on = "right elbow", position = [450, 0, 0] }
+holds = ["x", "y"]
+[[loops]]
+first = { on = "base", position = [200, 0, 0] }
+second = { on = "ball", rpy = [0, 0, 10] }
+joint = "fixed"
+[[springs]]
+name = "balance"
+first = { on = "base", point = [100, 200, 300] }
+second = { on = "right", point = [0, -100, 50] }
+stiffness = 20000
+free_length = 300
+damping = 50
+[[joint_springs]]
+name = "back"
+joint = "ball"
+coordinate = 2
+stiffness = 30
+rest = 10
+damping = 0.5
+"""
+
+ARMS = tuple(text.encode() for text in (EVERYTHING, PUMA560, TWO_JOINTS, FRAMES))

@@ -59,7 +59,8 @@ MOVED = DEVICE | listed("**`slide`**") | LOOK
 TOOL, SHAPES, SIGNAL = listed("## `[tools."), listed("### Shapes"), listed("## `[signals.")
 PARTS, DESTINATIONS, SENSOR = listed("## `[[parts]]`"), listed("### Destinations"), listed("A sensor is at")
 
-SENSORS = behind("### Sensors of the joint controller").partition("\n## ")[0]
+SENSORS = behind("### Sensors of the joint controller").partition("\n### ")[0]
+ENTITIES = behind("### Entities from modules of the project").partition("\n## ")[0]
 
 LIBRARY = listed("### Parts of the library")
 HEADS = {
@@ -80,6 +81,7 @@ EXPLAINED = [
     ),
     (f"{ARM}[controller]\n?", CONTROLLER),
     ('[robot]\nmodel = "two_link"\n[controller]\n?', CONTROLLER),
+    (f"{ARM}[controller.entities]\n?", words_of(ENTITIES)),
     (f"{ARM}[controller.sensors]\n?", words_of(SENSORS)),
     (f"{ARM}[controller.sensors]\ncoordinate = {{ ? }}", words_of(SENSORS)),
     (f"{ARM}track = {{ ? }}", TRACK),

@@ -29,6 +29,7 @@ from ropsim.spatial import Array
 from support.arms import drive
 from support.cylinders import CYLINDER, lifted
 from support.hydraulic_arm import hydraulic_arm
+from support.linkages import SLIDER_CRANK
 
 RATES, NOTHING = Rates(), Payload()
 FLOW, PI = ControllerKind.FLOW_LOAD_DAMPING, ControllerKind.PARALLEL_PI
@@ -102,10 +103,12 @@ def test_the_standard_law_of_a_hydraulic_arm_knows_flow_load_and_damping() -> No
     assert possible_laws(hydraulic_arm()) == (FLOW, PI, ControllerKind.CASCADED_P_PI)
 
 
-def test_an_arm_with_other_drives_has_loops_of_fixed_gains() -> None:
+def test_an_arm_with_other_drives_or_a_closed_chain_has_loops_of_fixed_gains() -> None:
     arm = hydraulic_arm()
     mixed = replace(arm, drives=(arm.drives[0], drive(ratio=120.0)))
     soft = replace(_turned(MOTOR), drives=(Drive(ValveAmplifier(0.7), MOTOR, ElasticGear(1.0, 1e5)),))
+    closed = replace(SLIDER_CRANK, drives=_turned(MOTOR).drives)
+    assert possible_laws(closed) == (ControllerKind.CASCADED_P_PI,)
     for robot in (mixed, soft):
         assert possible_laws(robot) == (ControllerKind.CASCADED_P_PI,)
         assert standard_controller(robot, RATES).kind is ControllerKind.CASCADED_P_PI

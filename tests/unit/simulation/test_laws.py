@@ -12,7 +12,7 @@ from ropsim.controller import CompiledLaw, LawError, LawInput, LawTraits, cascad
 from ropsim.core import Diagnostic
 from ropsim.dynamics import gravity
 from ropsim.model import InputKind, Payload, RobotModel, ideal_drive
-from ropsim.simulation import Servo, ServoState
+from ropsim.simulation import DivergedError, Servo, ServoState
 from ropsim.spatial import Array
 from support.arms import drive, random_arm
 from support.servo_cases import GOAL, START, CascadeInPython, controller, part, puma, quintic, standing
@@ -227,11 +227,25 @@ def test_an_index_that_runs_away_ends_the_run_and_not_the_process(engine: Engine
     with pytest.raises(LawError) as caught:
         servo.run(start, standing(np.zeros(2), 50), Payload(), servo.recorder(start))
     assert caught.value.diagnostic.code == "C601"
+    assert "line 3, `out[int(state[0, 0]) - 1] = 0.0`" in caught.value.diagnostic.message
+
+
+@pytest.mark.parametrize("engine", Engine)
+@pytest.mark.parametrize("value", ["-math.inf", "math.inf", "math.nan"])
+def test_an_output_that_is_not_finite_ends_the_run_at_its_tick(value: str, engine: Engine) -> None:
+    body = f"state[0, 0] += 1.0\nout[1] = 1.0\nout[0] = {value} if state[0, 0] == 4.0 else 1.0"
+    servo = _servo(_law(body, LawTraits(state_names=("count",))), engine=engine)
+    start = servo.initial_state(np.zeros(2))
+    with pytest.raises(DivergedError) as caught:
+        servo.run(start, standing(np.zeros(2), 30), Payload(), servo.recorder(start))
+    assert caught.value.diagnostic.data["tick"] == 4
+    assert "output of the joint controller of joint" in caught.value.diagnostic.message
 
 
 @pytest.mark.slow
 def test_a_law_that_python_takes_and_the_compiler_does_not_is_told() -> None:
-    body = "found = {}\nfound['x'] = 1.0\nfound[2] = 'y'\nout[0] = 0.0"
+    body = "found = [1.0]\nfound.append('y')\nout[0] = 0.0"
     with pytest.raises(LawError) as caught:
         _servo(_law(body, n=1), random_arm(3, "R", (drive(),)), Engine.NUMBA)
     assert caught.value.diagnostic.code == "C601"
+    assert "line 3, `found.append('y')`" in caught.value.diagnostic.message

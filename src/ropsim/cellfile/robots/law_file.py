@@ -10,8 +10,10 @@ from ropsim.model import (
     MODULE_ENDING,
     ControllerKind,
     ControllerModel,
+    Entity,
     LawFile,
     OriginKind,
+    OwnEntity,
     ParameterOrigin,
     gain_names,
 )
@@ -29,26 +31,13 @@ def with_law_file(table: TomlTable, controller: ControllerModel) -> ControllerMo
         table: section `[controller]` with that key.
         controller: the standard one of the robot, which keeps everything else.
     """
-    table.ask("file", Question(Sort.TEXT))
-    path = table.text("file", "")
+    path = _path(table, "file", ENDINGS)
     span = table.value_span("file")
-    if not path:
-        if table.values["file"] == "":
-            table.findings.add(LAW_FILE, span, "the path of the file is empty")
-        return controller
     for key in ("law", *gain_names(controller.gains)):
         if key in table:
             message = f"`{table.name_of(key)}` belongs to a built-in law, and `file` says another one"
             table.findings.add(CONFLICTING_KEYS, table.key_span(key), message, "keep one of them")
-    if PurePosixPath(path).suffix.lower() not in ENDINGS:
-        allowed = ", ".join(f"`{one}`" for one in ENDINGS)
-        message = f"`{path[:200]}` is no file of a joint controller, these end with {allowed}"
-        table.findings.add(LAW_FILE, span, message)
-        return controller
-    try:
-        check_stated(path)
-    except LeadsOutError as error:
-        table.findings.items.append(outside_project(path, error, span))
+    if not path:
         return controller
     if controller.kind is ControllerKind.IDEAL:
         message = "the robot has no drives: it follows its reference exactly and takes no joint controller"
@@ -58,3 +47,41 @@ def with_law_file(table: TomlTable, controller: ControllerModel) -> ControllerMo
     others = tuple(one for one in controller.origins if one.parameters != _GAINS)
     origin = ParameterOrigin("joint controller", OriginKind.DERIVED, f"the law in `{path}`")
     return replace(controller, kind=ControllerKind.FILE, gains=LawFile(path), origins=(origin, *others))
+
+
+def read_entities(table: TomlTable) -> tuple[OwnEntity, ...]:
+    """Return the entities of a controller that modules of the project make.
+
+    Args:
+        table: `[controller.entities]`, or a stand-in.
+    """
+    found = []
+    for entity in Entity:
+        if entity.value in table:
+            path = _path(table, entity.value, (MODULE_ENDING,))
+            found += [OwnEntity(entity, LawFile(path))] if path else []
+        else:
+            table.ask(entity.value, Question(Sort.TEXT))
+    table.finish()
+    return tuple(found)
+
+
+def _path(table: TomlTable, key: str, endings: tuple[str, ...]) -> str:
+    """Return the path of a file in the project; empty where it cannot be one, which is noted."""
+    path = table.text(key, "")
+    span = table.value_span(key)
+    if not path:
+        if table.values[key] == "":
+            table.findings.add(LAW_FILE, span, "the path of the file is empty")
+        return ""
+    if PurePosixPath(path).suffix.lower() not in endings:
+        allowed = ", ".join(f"`{one}`" for one in endings)
+        message = f"`{path[:200]}` is no file for `{table.name_of(key)}`, these end with {allowed}"
+        table.findings.add(LAW_FILE, span, message)
+        return ""
+    try:
+        check_stated(path)
+    except LeadsOutError as error:
+        table.findings.items.append(outside_project(path, error, span))
+        return ""
+    return path

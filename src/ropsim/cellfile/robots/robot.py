@@ -8,7 +8,7 @@ import numpy as np
 from ropsim import robots
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.robots.external_axes import ExternalAxes, read_external_axes
-from ropsim.cellfile.robots.law_file import with_law_file
+from ropsim.cellfile.robots.law_file import read_entities, with_law_file
 from ropsim.cellfile.robots.sensors import read_sensors, sensor_words
 from ropsim.core import RopsimError
 from ropsim.kinematics import follower_limits
@@ -243,6 +243,7 @@ def _controller(
         )
         + measured,
         sensors=sensors,
+        entities=read_entities(table.table("entities")),
     )
 
 

@@ -4,10 +4,12 @@ import math
 
 import numpy as np
 
+from ropsim.dynamics import chain_of
 from ropsim.model import MEASURED, JointSensor, JointSensors, JointType, RobotModel
 from ropsim.spatial import Array
 from ropsim.tomltext import NUMBER, TIME, Quantity, TomlTable, Units
 
+_OF_JOINTS = ("q", "qd", "tau")
 _MOST_BITS = 52
 _MOST_SEED = 1_000_000_000
 _NUMBER = NUMBER.within(0.0, 1e12)
@@ -25,7 +27,7 @@ def read_sensors(table: TomlTable, model: RobotModel, units: Units) -> JointSens
         units: of the file.
     """
     seed = table.integer("seed", 0, _MOST_SEED, 0)
-    given = {name: table.table(name) for name in MEASURED}
+    given = {name: table.table(name) for name, rows in MEASURED.items() if _is_there(model, rows)}
     sensors = tuple(_sensor(one, name, model, units) for name, one in given.items() if one.present)
     table.finish()
     return JointSensors(sensors, seed)
@@ -41,6 +43,12 @@ def sensor_words(sensors: JointSensors) -> str:
         told += [f"{1e3 * one.delay:g} ms late"] if one.delay else []
         words.append(f"{one.quantity} with {', '.join(told) or 'nothing that is not exact'}")
     return f"measured as in the cell file (SI units, seed {sensors.seed}): {'; '.join(words)}"
+
+
+def _is_there(model: RobotModel, rows: tuple[str, ...]) -> bool:
+    """Return whether a robot has what a sensor measures: motion of its joints, or states of its drives."""
+    states = {column.name for drive in model.drives for column in chain_of(drive).states}
+    return rows[0] in _OF_JOINTS or set(rows) <= states
 
 
 def _sensor(table: TomlTable, quantity: str, model: RobotModel, units: Units) -> JointSensor:

@@ -228,6 +228,7 @@ def response_document(rest: Rest, tested: Sequence[TestedAxis]) -> dict[str, obj
         "control_hz": rest.controller.rates.control_hz,
         "q": rest.q.tolist(),
         "load": rest.load,
+        "sensors": [one.quantity for one in rest.controller.sensors.sensors],
         "modes": {"hz": frequencies.tolist(), "damping": ratios.tolist()},
         "modes_without_law": {"hz": rest.swings[0].tolist(), "damping": rest.swings[1].tolist()},
         "oil": [

@@ -138,7 +138,7 @@ def _law(diagram: b.Diagram, robot: Mechanism, influence: np.ndarray[Any, Any]) 
             aux=_channels(diagram),
             delay=diagram.delay,
             sensed=sensed,
-            sensed_axes=(),  # `check_fit` has looked at the elements that are read
+            sensed_axes=(),  # `check_fit` checks the elements that are read
         ),
         functions=(motion_efforts(robot),) if uses_model else (),
         model=law_model(robot),
@@ -152,7 +152,7 @@ def _late(diagram: b.Diagram) -> int:
 
 
 def _held(holding: list[str], out: list[str], inverse: int, *, first_try: bool) -> list[str]:
-    """Return the statements that let integrals hold the arm; at first they only take what they are given."""
+    """Return the statements that let integrals hold the arm; at first they only take given values."""
     lines = []
     for k, one in enumerate(holding):
         lacking = f"held[{k}]" if first_try else f"(held[{k}] - {out[k]}) * p[{inverse + k}]"

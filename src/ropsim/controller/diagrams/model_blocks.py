@@ -38,7 +38,7 @@ def model_feed_forward(block: b.ModelFeedForward, to: Written) -> None:
 
 
 def motion_efforts(robot: Mechanism) -> SourceFunction:
-    """Return `motion_efforts(model, work, load)` of an arm; the rows of `work` are those of `WORK`."""
+    """Return `motion_efforts(model, work, load)` of an arm; `WORK` names the rows of `work`."""
     return _motion_efforts(structure_of(with_rigid_gears(robot)))
 
 
@@ -57,7 +57,7 @@ def _motion_efforts(structure: ArmStructure) -> SourceFunction:
 def drive_command(block: b.DriveCommand, to: Written, robot: Mechanism) -> None:
     """Write the inputs of the amplifiers for efforts and speeds at the joints.
 
-    They are those of the steady drive: for a DC motor the voltage for its current and its back-EMF.
+    As of the steady drive: for a DC motor the voltage for its current and its back-EMF.
     """
     efforts, speeds = to.inputs(block)
     home = np.asarray(robot.home, np.float64).tolist()

@@ -13,7 +13,7 @@ class Written:
 
     `p` are the parameters and `x` the memory of the law, both one behind the other. Statements come in four
     parts: outputs of blocks in their order, memory at the start before (`before`) and after (`after`) all
-    outputs are known, and what is kept for the next tick.
+    outputs are known, and values kept for the next tick.
 
     Args:
         diagram: without faults.

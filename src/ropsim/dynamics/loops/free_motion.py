@@ -8,6 +8,7 @@ import numpy.typing as npt
 
 from ropsim.codegen import Compiled, Engine, GivenCode, SourceFunction, Tracer, bound, default_engine, load
 from ropsim.dynamics.loops.plant_code import LoopState, motion_code, plant_formulas
+from ropsim.dynamics.loops.step_code import step_code
 from ropsim.dynamics.structure import ArmStructure, arm_numbers, structure_of, traced_numbers
 from ropsim.dynamics.traced.traced_arm import trace_arm
 from ropsim.model import Mechanism
@@ -77,7 +78,12 @@ def _moving(robot: Mechanism, engine: Engine) -> Compiled:
     structure = structure_of(robot)
     code = _plant(structure)
     rows = SourceFunction("free_rows", "void(f8[::1], f8[::1], f8, i8, f8[::1], f8[:,::1])", _ROWS)
-    functions = (*code.functions, *motion_code(_state(structure), structure.rows), rows)
+    functions = (
+        *code.functions,
+        *motion_code(_state(structure), structure.rows),
+        step_code(_state(structure)),
+        rows,
+    )
     return bound(load("free_motion", functions, engine), code.constants(arm_numbers(robot)))
 
 
@@ -93,26 +99,12 @@ def _plant(structure: ArmStructure) -> GivenCode:
 
 _ROWS = """\
 def free_rows(constants, u, h, every, x, rows):
-    size = x.shape[0]
-    y, k1, k2, k3, k4 = np.empty(size), np.empty(size), np.empty(size), np.empty(size), np.empty(size)
+    stages = np.empty((5, x.shape[0]))
     settle(x, constants)
-    for j in range(size):
-        rows[0, j] = x[j]
-    for row in range(1, rows.shape[0]):
-        for _ in range(every):
-            derivative(x, u, constants, k1)
-            for j in range(size):
-                y[j] = x[j] + 0.5 * h * k1[j]
-            derivative(y, u, constants, k2)
-            for j in range(size):
-                y[j] = x[j] + 0.5 * h * k2[j]
-            derivative(y, u, constants, k3)
-            for j in range(size):
-                y[j] = x[j] + h * k3[j]
-            derivative(y, u, constants, k4)
-            for j in range(size):
-                x[j] += h / 6.0 * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j])
-            settle(x, constants)
-        for j in range(size):
+    for row in range(rows.shape[0]):
+        if row > 0:
+            for _ in range(every):
+                loop_step(x, u, h, stages, constants)
+        for j in range(x.shape[0]):
             rows[row, j] = x[j]
 """

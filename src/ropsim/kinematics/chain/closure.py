@@ -1,7 +1,8 @@
 """Closed chains: the coordinates that they determine, followed from the rest position of the axes.
 
 A chain that can be assembled in several ways stays in the assembly that it has at home, the one that Newton's
-method finds from passive coordinates of zero, along the straight way of the axes from there.
+method finds from passive coordinates of zero, along the straight way of the axes from there; where it locks
+on that, along one axis after the other.
 """
 
 import numpy as np
@@ -46,7 +47,7 @@ def closure(loops: ClosedArrays, q: Array) -> tuple[Array, Array]:
     return work.left[0], work.slopes @ loops.spread[:, loops.n : -1]
 
 
-def loop_gaps(loops: ClosedArrays, states: Array) -> Array:
+def cut_gaps(loops: ClosedArrays, states: Array) -> Array:
     """Return what is left between the frames of each cut at coordinates of axes and loops (k, n + p).
 
     Returns:

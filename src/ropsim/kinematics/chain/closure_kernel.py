@@ -57,9 +57,13 @@ def close_rows(arm: LoopArm, Q: Array2, states: Array2, results: Array2, work: L
         work: room to work in.
     """
     for k in range(Q.shape[0]):
-        for i in range(states.shape[1]):
-            states[k, i] = arm.home[i]
-        results[k, 0], results[k, 1] = _reach(arm, states[k], Q[k], work)
+        results[k, 0] = follow_from_home(arm, states[k], Q[k], work)
+        if results[k, 0] < 1.0:
+            for i in range(Q.shape[1]):
+                states[k, i] = Q[k, i]
+            results[k, 1] = closed(arm, states[k], ROUNDS, work)
+        else:
+            results[k, 1] = loop_residuals(arm, work.ends, work.left[0])
 
 
 @kernel
@@ -78,16 +82,6 @@ def close_along(arm: LoopArm, Q: Array2, states: Array2, results: Array2, work: 
             for i in range(states.shape[1]):
                 states[k, i] = float("nan")
         results[k, 1] = loop_residuals(arm, work.ends, work.left[0])
-
-
-def _reach(arm: LoopArm, state: Array, q: Array, work: LoopWork) -> tuple[float, float]:
-    """Move a closed state to axes at q, closed or not; return the share that it follows, and what is left."""
-    share = follow(arm, state, q, work)
-    if share < 1.0:
-        for i in range(q.shape[0]):
-            state[i] = q[i]
-        return share, closed(arm, state, ROUNDS, work)
-    return share, loop_residuals(arm, work.ends, work.left[0])
 
 
 @kernel
@@ -151,6 +145,36 @@ def follow(arm: LoopArm, state: Array, q: Array, work: LoopWork) -> float:
             if h * longest < LEAST:
                 return share
     return 1.0
+
+
+def follow_from_home(arm: LoopArm, state: Array, q: Array, work: LoopWork) -> float:
+    """Write the state (n + p,) for axes at q (n,), followed from home; return the share that is followed.
+
+    Where the chain locks on the straight way, one axis is moved after the other, from the first one on, then
+    from the last one on. If it locks on all ways, the state is the last closed one on the straight way.
+    """
+    n, total = q.shape[0], state.shape[0]
+    goal, last = work.states[4], work.states[5]
+    for i in range(total):
+        state[i] = arm.home[i]
+    share = follow(arm, state, q, work)
+    if share == 1.0 or n == 1 or not abs(state[0]) < FAR:
+        return share
+    for i in range(total):
+        last[i] = state[i]
+    for back in range(2):
+        for i in range(total):
+            goal[i] = state[i] = arm.home[i]
+        for place in range(n):
+            axis = n - 1 - place if back == 1 else place
+            goal[axis] = q[axis]
+            if follow(arm, state, goal[:n], work) < 1.0:
+                break
+            if place == n - 1:
+                return 1.0
+    for i in range(total):
+        state[i] = last[i]
+    return share
 
 
 def _step(

@@ -16,12 +16,11 @@ from ropsim.kinematics.chain.closed_arrays import closed_arrays, shares
 from ropsim.kinematics.chain.closed_jacobian_kernel import closed_coordinates
 from ropsim.kinematics.chain.closure import APART, closed_states
 from ropsim.model import (
-    BASE_LINK,
     Coupling,
-    LoopCut,
     Mechanism,
     coordinates,
     first_coordinates,
+    loop_coordinates,
     passive_coordinates,
 )
 from ropsim.spatial import Array
@@ -69,7 +68,9 @@ def _coupled(mechanism: M, linear: Array, factors: Array, constants: Array) -> M
     """Return a mechanism in which the linear ones of its passive coordinates are coupled to the axes."""
     passive, first = passive_coordinates(mechanism), first_coordinates(mechanism.joints)
     bound = coordinates(mechanism).P != 0.0  # (N, p)
-    within = [bound[_between(mechanism, cut)].any(axis=0) for cut in mechanism.cuts]  # c rows of (p,)
+    within = [
+        bound[list(loop_coordinates(mechanism, cut))].any(axis=0) for cut in mechanism.cuts
+    ]  # c rows of (p,)
     whole = [bool(linear[one].all()) for one in within]
     followed = np.array([one for one, all_ in zip(within, whole, strict=True) if all_]).any(axis=0)
     kept = [cut for cut, all_ in zip(mechanism.cuts, whole, strict=True) if not all_]
@@ -82,15 +83,3 @@ def _coupled(mechanism: M, linear: Array, factors: Array, constants: Array) -> M
         constant = float(constants[place])
         couplings.append(Coupling(passive[place], moved, 0.0 if abs(constant) < WHOLE else constant))
     return replace(mechanism, couplings=tuple(couplings), cuts=tuple(kept))
-
-
-def _between(mechanism: Mechanism, cut: LoopCut) -> list[int]:
-    """Return the coordinates of the joints of a loop."""
-    first, ways = first_coordinates(mechanism.joints), []
-    for end in (cut.first, cut.second):
-        way, link = set(), end
-        while link != BASE_LINK:
-            way.add(link)
-            link = mechanism.joints[link].parent
-        ways.append(way)
-    return [number for link in ways[0] ^ ways[1] for number in range(first[link], first[link + 1])]

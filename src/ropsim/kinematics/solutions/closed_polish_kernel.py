@@ -7,7 +7,7 @@ forward kinematics of every answer gives its pose, in the assembly of the rest p
 
 from ropsim.codegen import Array1, Array2, Array3, kernel
 from ropsim.kinematics.chain.closed_jacobian_kernel import closed_columns
-from ropsim.kinematics.chain.closure_kernel import evaluate, follow, loop_tangents
+from ropsim.kinematics.chain.closure_kernel import evaluate, follow, follow_from_home, loop_tangents
 from ropsim.kinematics.chain.loop_rows_kernel import LoopArm, LoopWork
 from ropsim.kinematics.solutions.polish_kernel import (
     GOAL,
@@ -46,7 +46,7 @@ def closed_polish_rows(
         room: room to work in, shape (n + 12, max(n, 6)).
         work: room to work in.
     """
-    n, m, width = Q.shape[2], arm.steps.shape[0], states.shape[1]
+    n, m = Q.shape[2], arm.steps.shape[0]
     steps, slack = int(settings[0]), settings[1]
     for k in range(Q.shape[0]):
         for j in range(Q.shape[1]):
@@ -58,18 +58,14 @@ def closed_polish_rows(
             if Q[k, j, 0] != Q[k, j, 0]:
                 continue
             if not continued:
-                for i in range(width):
-                    state[i] = arm.home[i]
-                follow(arm, state, Q[k, j], work)
+                follow_from_home(arm, state, Q[k, j], work)
             if steps > 0:
                 descend_closed(arm, T[k], state, states[0], bounds, steps, room, work)
                 for i in range(n):
                     Q[k, j, i] = state[i]
                     if turning[i] > 0.0 and settings[2] == 0.0:
                         Q[k, j, i] = principal(state[i])
-            for i in range(width):
-                last[i] = arm.home[i]
-            found = follow(arm, last, Q[k, j], work) == 1.0
+            found = follow_from_home(arm, last, Q[k, j], work) == 1.0
             found = found and entry_errors(work.frames[m], T[k]) <= slack
             for i in range(n):
                 if not found:

@@ -6,7 +6,7 @@ from math import inf
 import numpy as np
 
 from ropsim.kinematics.chain.closed_arrays import ClosedArrays, closed_arrays
-from ropsim.kinematics.chain.closure import APART, closed_states, loop_gaps
+from ropsim.kinematics.chain.closure import APART, closed_states, cut_gaps
 from ropsim.kinematics.chain.linear_loops import without_linear_loops
 from ropsim.model import (
     CoupledLimits,
@@ -49,7 +49,7 @@ class LoopLimits:
         states, results = closed_states(self.arrays, rows)
         gaps = np.zeros((len(rows), len(self.arrays.ends)))
         open_rows = np.flatnonzero((results[:, 0] < 1.0) & ~np.isnan(states).any(axis=1))
-        gaps[open_rows] = loop_gaps(self.arrays, states[open_rows])
+        gaps[open_rows] = cut_gaps(self.arrays, states[open_rows])
         own = states[:, [self.arrays.n + place for place in self.places]]
         found = np.concatenate((self.coupled.values(rows), own, gaps), axis=1)
         found[np.isnan(rows).any(axis=1)] = np.nan

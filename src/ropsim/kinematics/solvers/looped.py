@@ -173,7 +173,14 @@ def switched_loops(robot: RobotModel) -> Switched | None:
     home = joint_motion(robot, robot.home[np.newaxis]).position[0]
     numbers = [first[link] for link in links]
     other = replace(
-        robot, axes=tuple(links), home=frozen(home[numbers]), drives=(), external=(), springs=(), dh=()
+        robot,
+        joints=tuple(_driven(joint) for joint in robot.joints),
+        axes=tuple(links),
+        home=frozen(home[numbers]),
+        drives=(),
+        external=(),
+        springs=(),
+        dh=(),
     )
     others = passive_coordinates(other)
     if len(others) != arrays.p:
@@ -188,6 +195,11 @@ def switched_loops(robot: RobotModel) -> Switched | None:
     return Switched(_plain(robot, tree, way, links, home[numbers]), made, back, there)
 
 
+def _driven(joint: Joint) -> Joint:
+    """Return a joint with rates that an axis may have; kinematics does not ask for them."""
+    return replace(joint, max_speed=1.0, max_acceleration=1.0, max_jerk=1.0)
+
+
 def _plain(robot: RobotModel, tree: JointTree, way: list[int], links: list[int], home: Array) -> RobotModel:
     """Return the serial arm of the joints on the way."""
     joints = tuple(
@@ -198,9 +210,9 @@ def _plain(robot: RobotModel, tree: JointTree, way: list[int], links: list[int],
             offset=tree.offsets[step],
             lower=robot.joints[link].lower,
             upper=robot.joints[link].upper,
-            max_speed=robot.joints[link].max_speed,
-            max_acceleration=robot.joints[link].max_acceleration,
-            max_jerk=robot.joints[link].max_jerk,
+            max_speed=1.0,
+            max_acceleration=1.0,
+            max_jerk=1.0,
         )
         for step, link in zip(way, links, strict=True)
     )

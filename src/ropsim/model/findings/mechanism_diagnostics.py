@@ -151,10 +151,11 @@ LOOP_NOT_SIMULATED = define(
     "X839",
     "loop-not-simulated",
     Severity.ERROR,
-    "a closed chain that is cut can be placed, but not moved by a controller yet",
+    "something is asked for that goes along one open chain, and this mechanism has closed chains",
     """
-The bodies of closed chains with `LoopCut`s are placed, their passive coordinates found from the axes, and
-the arm has Jacobian and inverse kinematics. A chain whose coordinates are linear functions of the axes, such
-as a parallelogram, is described by couplings and simulated exactly.
+Mechanisms with `LoopCut`s have poses, Jacobian, inverse kinematics and dynamics, and run under controllers.
+Some special algorithms work on the chain from the base to the interface as if each joint were a linear
+function of the axes; in a closed chain it is not. A chain whose coordinates are linear functions of the axes,
+such as a parallelogram, can be described by couplings, for which all of them work.
 """,
 )

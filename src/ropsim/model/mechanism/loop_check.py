@@ -28,7 +28,7 @@ def loop_findings(mechanism: Mechanism) -> Iterator[Diagnostic]:
                 f"cut {place + 1} of `{mechanism.name}` holds what an earlier one holds already",
                 hint="describe each loop by one cut",
             )
-        elif _between(mechanism, cut) <= known:
+        elif loop_coordinates(mechanism, cut) <= known:
             yield kinds.LOOP_TWICE.at(
                 None,
                 f"cut {place + 1} of `{mechanism.name}` closes a loop whose coordinates are axes or coupled",
@@ -36,7 +36,7 @@ def loop_findings(mechanism: Mechanism) -> Iterator[Diagnostic]:
             )
 
 
-def _between(mechanism: Mechanism, cut: LoopCut) -> set[int]:
+def loop_coordinates(mechanism: Mechanism, cut: LoopCut) -> set[int]:
     """Return the coordinates of the joints of a loop."""
     first = first_coordinates(mechanism.joints)
     ways = [

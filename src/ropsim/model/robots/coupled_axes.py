@@ -75,6 +75,8 @@ def without_coupled_axes(robot: RobotModel) -> tuple[RobotModel, tuple[CoupledAx
     n, places = robot.n, robot.axes
     numbers = {place: axis for axis, place in enumerate(places)}
     behind = [coupling for coupling in robot.couplings if coupling.dependent < n]
+    if robot.cuts or not {*places, *(one.dependent for one in behind)} >= set(range(n)):
+        return robot, ()
     axes = []
     for coupling in behind:
         others = tuple((numbers.get(place, n), factor) for place, factor in coupling.terms[1:])

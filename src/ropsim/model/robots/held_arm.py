@@ -1,15 +1,19 @@
 """The arm of a robot with external axes: inverse kinematics solves it with external axes at rest."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import lru_cache
 
+import numpy as np
+
 from ropsim.model.findings import mechanism_diagnostics as kinds
 from ropsim.model.mechanism.coordinates import coordinates
-from ropsim.model.mechanism.links import BASE_LINK, Coupling
+from ropsim.model.mechanism.links import BASE_LINK, Coupling, LoopCut
+from ropsim.model.mechanism.loop_check import loop_coordinates
 from ropsim.model.mechanism.mechanism import first_coordinates
 from ropsim.model.mechanism.mechanism_check import MechanismError, check_mechanism
 from ropsim.model.robots.robot import RobotModel
-from ropsim.spatial import frozen, record
+from ropsim.spatial import Array, frozen, record
 
 
 @record
@@ -73,7 +77,7 @@ def held_arm(robot: RobotModel) -> HeldArm:
         home=frozen([robot.home[k] for k in axes]),
         axes=tuple(places[robot.axes[k]] for k in axes),
         couplings=tuple(_couplings(robot, kept)),
-        cuts=(),
+        cuts=tuple(_cuts(robot, places)),
         springs=(),
         joint_springs=(),
         tip=places[robot.tip],
@@ -102,8 +106,9 @@ def external_links(robot: RobotModel) -> tuple[int, ...]:
     Raises:
         MechanismError: a coupling mixes external axes with axes of the arm.
     """
-    T, first = coordinates(robot).T, first_coordinates(robot.joints)
-    inner = [k for k in range(robot.n) if k not in robot.external]
+    first, n = first_coordinates(robot.joints), robot.n
+    T = _moving(robot)
+    inner = [k for k in range(n) if k not in robot.external]
     found: list[int] = []
     for number, joint in enumerate(robot.joints):
         rows = T[first[number] : first[number + 1]]
@@ -119,6 +124,27 @@ def external_links(robot: RobotModel) -> tuple[int, ...]:
         if (moved and not by_arm) or (not moved and joint.parent in found):
             found.append(number)
     return tuple(found)
+
+
+def _moving(robot: RobotModel) -> Array:
+    """Return which axes move the coordinates of all joints, by couplings or closed chains, shape (N, n)."""
+    made = coordinates(robot)
+    T, P = made.T != 0.0, made.P != 0.0
+    by = np.zeros((P.shape[1], robot.n), dtype=bool)  # which axes move each passive coordinate
+    loops = [list(loop_coordinates(robot, cut)) for cut in robot.cuts]
+    for _ in loops:  # chains that share passive coordinates share axes
+        for loop in loops:
+            passive = P[loop].any(axis=0)
+            by[passive] |= T[loop].any(axis=0) | by[passive].any(axis=0)
+    return np.asarray(T | (P[:, :, np.newaxis] & by).any(axis=1), dtype=np.float64)
+
+
+def _cuts(robot: RobotModel, places: dict[int, int]) -> Iterator[LoopCut]:
+    """Yield the closed chains of the arm, with its links counted anew."""
+    for cut in robot.cuts:
+        first, second = places.get(cut.first), places.get(cut.second)
+        if first is not None and second is not None and first != second:
+            yield replace(cut, first=first, second=second)
 
 
 def _above(robot: RobotModel, number: int) -> set[int]:

@@ -64,8 +64,9 @@ _LESS = 0.95
 """Gains are lowered by this until all plants have their margins."""
 _SINGULAR = 0.1
 """Directions in which a tip moves less, over that in which it moves most, are no ways of a path."""
-_LEAST, _MOST, _STEPS = 0.1, 1000.0, 41
-"""Rates between which gains are looked for [1/s], and how many, evenly by their logarithms."""
+_LEAST, _MOST = 0.1, 1000.0
+"""Rates between which gains are looked for [1/s]."""
+_RATES: tuple[float, ...] = tuple(np.geomspace(_LEAST, _MOST, 41).tolist())
 _HALVINGS = 4
 """Of the way between two of them."""
 _LOOKS = (2.0, 8.0, 32.0)
@@ -192,13 +193,22 @@ def _flow_rates(robot: Mechanism, rates: Rates) -> tuple[float, float, float]:
     hard = _hardest(plants, *(_flow_loops(*pairs[k]) for k in (0, 1, -1)))
     for damping, swing in pairs:
         loops = _flow_loops(damping, swing)
+        better = [one for one in _RATES if _mean(plants, one, swing) > most]
+        if not (better and _margins(hard, loops, better[0]).suffice(FLOW_NEEDS)):
+            continue
         rate = _largest(hard, loops, FLOW_NEEDS)
         while not _margins(plants, loops, rate).suffice(FLOW_NEEDS) and rate > _LEAST:
             rate *= _LESS
-        mean = float(np.minimum(rate, swing * plants.swings).mean())
+        mean = _mean(plants, rate, swing)
         if mean > most and rate > _LEAST:
+            rate = min(rate, float(swing * plants.swings.max()))
             best, most = (rate, damping * rate, swing), mean
     return best
+
+
+def _mean(plants: HydraulicPlants, rate: float, swing: float) -> float:
+    """Return the mean of kp over all plants, bound by the swing of an axis."""
+    return float(np.minimum(rate, swing * plants.swings).mean())
 
 
 def _places(robot: Mechanism) -> Array:
@@ -248,9 +258,8 @@ def _hardest(plants: HydraulicPlants, *kinds: Loops) -> HydraulicPlants:
 
 def _largest(plants: HydraulicPlants, loops: Loops, needed: LoopMargins) -> float:
     """Return the largest rate up to which margins suffice."""
-    rates = np.geomspace(_LEAST, _MOST, _STEPS)
     last, beyond = _LEAST, _MOST
-    for rate in rates.tolist():
+    for rate in _RATES:
         if not _margins(plants, loops, rate).suffice(needed):
             beyond = rate
             break

@@ -20,6 +20,8 @@ SLOW = 0.05
 """Speed of slow motions over that at the rated flow: beyond speeds at which leak and motion cancel."""
 _SMALL = 1e-4
 """Half of a difference of openings; over the supply, of pressures."""
+_NEWTON, _MOST_STEP = 12, 0.2
+"""Steps to a steady state, and the most of one, in supply pressures and openings."""
 _ROWS = ("area_a", "area_b", "soft_a", "soft_b", "leak", "open_a", "open_b", "close_a", "close_b")
 
 
@@ -130,8 +132,10 @@ def _axis(drive: Drive, q: float, weight: float, way: float) -> tuple[float, ...
             motor.volumes(ratio * q) if isinstance(motor, HydraulicVane) else (motor.chamber_volume,) * 2
         )
     speed = way * SLOW * motor.rated_flow / area_a
-    states = steady_drive(replace(drive, motor=motor), q, speed / ratio, weight).states
-    a, b, opening = states[:3]
+    tight = replace(drive, motor=replace(motor, null_flow=0.0))
+    a, b, opening = steady_drive(tight, q, speed / ratio, weight).states[:3]
+    if motor.null_flow:
+        a, b, opening = _leaking(motor, (area_a, area_b), weight / ratio, speed, (b, opening))
     h, dp = _SMALL, _SMALL * motor.supply_pressure
     if opening:
         h = min(h, 0.5 * abs(opening)) if not motor.null_flow else h
@@ -142,6 +146,39 @@ def _axis(drive: Drive, q: float, weight: float, way: float) -> tuple[float, ...
     soft_a, soft_b = (motor.bulk_modulus / volume for volume in volumes)
     numbers = (area_a, area_b, soft_a, soft_b, motor.leakage, open_a, open_b, close_a, close_b)
     return (*numbers, ratio, viscous)
+
+
+def _leaking(
+    motor: Hydraulic, areas: tuple[float, float], force: float, speed: float, start: tuple[float, float]
+) -> tuple[float, float, float]:
+    """Return pressures and opening in steady motion with edges that leak, by Newton's method.
+
+    Args:
+        motor: with its valve.
+        areas: of both chambers.
+        force: that it gives.
+        speed: of rod or shaft.
+        start: pressure of chamber b, and opening, without leaks.
+    """
+    area_a, area_b = areas
+
+    def left(b: float, x: float) -> Array:
+        a = (force + area_b * b) / area_a
+        leak = motor.leakage * (a - b)
+        into_a = flow_into(motor, a, x) - leak - area_a * speed
+        return np.array([into_a, flow_into(motor, b, -x) + leak + area_b * speed])
+
+    unit = np.array([motor.supply_pressure, 1.0])
+    found = np.array(start) / unit
+    for _ in range(_NEWTON):
+        b, x = (found * unit).tolist()
+        now = left(b, x)
+        slopes = np.column_stack(
+            [(left(b + _SMALL * unit[0], x) - now) / _SMALL, (left(b, x + _SMALL) - now) / _SMALL]
+        )
+        found = found - np.clip(np.linalg.solve(slopes, now), -_MOST_STEP, _MOST_STEP)
+    b, x = (found * unit).tolist()
+    return (force + area_b * b) / area_a, b, x
 
 
 def _valve(motor: object, s: Complex) -> Complex:

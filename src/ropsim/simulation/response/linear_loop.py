@@ -12,9 +12,9 @@ from ropsim.controller import (
     PythonLaw,
     compiled_half,
     in_python,
+    joint_law,
     law_arrays,
     law_model,
-    law_of,
 )
 from ropsim.dynamics import arm_numbers, barycentric, structure_of
 from ropsim.model import ControllerModel, Friction, Payload, RobotModel
@@ -133,7 +133,7 @@ def linear_loop(
     """
     arm = without_dead_zones(_without_dry_friction(robot))
     x, u = held_state(arm, q, payload)
-    chosen, rates = law or law_of(controller, robot), controller.rates
+    chosen, rates = law or joint_law(controller, robot), controller.rates
     F, G = _plant(arm, payload, (x, u), rates.control_period, plant_steps_of(robot, rates))
     seen = _Seen.of(robot, controller, chosen, u)
     F, G, x = seen.with_delays(F, G, x)

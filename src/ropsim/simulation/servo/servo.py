@@ -12,9 +12,11 @@ from ropsim.controller import (
     PythonLaw,
     compiled_half,
     failed,
+    joint_law,
+    law_arrays,
     law_model,
-    law_of,
     rehearse,
+    stopped,
 )
 from ropsim.core import RopsimError
 from ropsim.dynamics import (
@@ -114,7 +116,7 @@ class Servo:
         check_drives(robot)
         check_model(robot)
         check_rates(controller.rates)
-        chosen = law or law_of(controller, robot)
+        chosen = law or joint_law(controller, robot)
         python_law = None if isinstance(chosen, CompiledLaw) else chosen
         inner = compiled_half(chosen, np.zeros(robot.n))
         check_law(inner, robot)
@@ -227,9 +229,30 @@ class Servo:
         except (ArithmeticError, ValueError) as error:  # plain Python raises where compiled code yields NaN
             raise self._diverged(state, reference, signals, call, recorder) from error
         except (IndexError, StoppedError) as error:
-            raise failed(self.law, error) from error
+            arrays = self._arguments_at_stop(state, reference, signals, call, payload)
+            raise stopped(self.law, error, arrays) from error
         if not is_sound(self.bench.values, self.layout):
             raise self._diverged(state, reference, signals, call, recorder)
+
+    def _arguments_at_stop(
+        self, state: ServoState, reference: "_Rows", signals: Array, call: Compiled, payload: Payload
+    ) -> dict[str, Array]:
+        """Return the arguments of the law at the tick at which a slice stopped."""
+        values, no_log, no_tally = self.bench.values, np.empty((1, 1)), np.zeros((4, self.bench.width))
+        values[:], before, k = state.values, state, 0
+        for k in range(len(signals)):
+            before = ServoState(state.tick + k, values.copy(), self.layout)
+            rows = (array[k : k + 1] for array in reference)
+            try:
+                call(*rows, signals[k : k + 1], no_log, before.tick, before.tick + 2, 0, no_tally)
+            except (IndexError, StoppedError):
+                break
+        frame, memory = self._frame(before), self.layout.memory(before.values).copy()
+        self.sensors.measure(frame, self.layout.kept(before.values).copy(), before.tick)
+        made = law_arrays(self.law, self.robot.n)
+        made |= {"ref": before.reference.copy(), "meas": frame[:3].copy(), "sensed": frame[4:].copy()}
+        load_ = np.array(barycentric(payload.mass, payload.com, payload.inertia))
+        return {**made, "state": memory, "load": load_, "aux": signals[k].copy()}
 
     def _diverged(
         self, state: ServoState, reference: "_Rows", signals: Array, call: Compiled, recorder: Log
@@ -319,10 +342,12 @@ class _Bench:
         parameters: of the law, and below them its model and the sensors.
         slice: the compiled slice with room to work in, parameters of the law and rates.
         slices: the same for a payload.
+        width: numbers in a row of the log.
     """
 
     values: Array
     parameters: Array
+    width: int
     slice: Compiled
     slices: dict[Payload, Compiled]
 
@@ -343,7 +368,7 @@ class _Bench:
         room = (np.zeros((frame_rows(law), layout.n)), np.zeros((5, layout.integrated)), np.zeros(len(full)))
         given = (*state, parameters, *room, ends, full, rates.plant_steps, 1.0 / rates.control_hz)
         made = bound(kernel, *given)
-        return cls(values, parameters, made, {})
+        return cls(values, parameters, len(full), made, {})
 
 
 def _kernel(

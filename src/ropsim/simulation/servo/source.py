@@ -2,7 +2,7 @@
 
 from ropsim.codegen import SourceFunction
 from ropsim.controller import CompiledLaw, law_code, law_functions
-from ropsim.dynamics import ArmStructure
+from ropsim.dynamics import ArmStructure, step_code
 from ropsim.simulation.servo.log import LogLayout, floors
 from ropsim.simulation.servo.plant_code import plant_code
 from ropsim.simulation.servo.sensing import Sensing
@@ -15,6 +15,8 @@ SLICE_SIGNATURE = (
 )
 
 
+MOST_OUTPUT = 1e300
+"""A law that puts out more, or NaN, ends the run: the coordinate becomes NaN, which no later tick mends."""
 NO_SENSORS = Sensing(())
 
 
@@ -24,6 +26,7 @@ def servo_functions(
     """Return the functions of the slice module; `run_slice` is the last."""
     return (
         *plant_code(structure).functions,
+        *((step_code(StateLayout.of(structure, law.traits).loops),) if structure.cuts else ()),
         *sensing.functions,
         *law_functions(law),
         law_code(law).function,
@@ -34,8 +37,8 @@ def servo_functions(
 def _slice_text(structure: ArmStructure, law: CompiledLaw, sensing: Sensing) -> str:
     """Return `run_slice`: law, amplifiers and `plant_steps` Runge-Kutta steps for every tick, log and tally.
 
-    The steps are as in the classical method; closed chains are settled after each. The law receives the
-    values at the beginning of a tick: the reference in force and the measurement. At its end the next row
+    The steps are as in the classical method; those of closed chains are made by `loop_step`. The law receives
+    the values at the beginning of a tick: the reference in force and the measurement. At its end the next row
     of the reference comes into force. A row of the log holds the values at that time, and the output of
     the amplifiers over the tick. `values` is the state vector; `ref`, `pending` and `memory` are parts of
     it by rows; `par` are the parameters of the law, and below them the rows of its model; `frame` (4 + r,
@@ -62,7 +65,7 @@ def _slice_text(structure: ArmStructure, law: CompiledLaw, sensing: Sensing) -> 
     arguments, rows = _arguments(law, sensing)
     measured = "\n        measure(frame, sensors, kept, tick + k)" if sensing.channels else ""
     amplified = _delayed(n, traits.delay) if traits.delay else "amplify(out, constants, u)"
-    settled = "\n            settle(x, constants)" if structure.cuts else ""
+    step = "loop_step(x, u, h, stages, constants)" if structure.cuts else _RUNGE_KUTTA.format(size=size)
     log = LogLayout.of(structure.drives)
     q_ref, qd_ref = log.field("q_ref").first, log.field("qd_ref").first
     q = log.field("q").first
@@ -91,19 +94,12 @@ def run_slice(
         efforts(x, u, constants, seen[2]){sensed}{measured}
         law({arguments})
         {amplified}
+        for j in range({n}):
+            if not abs(out[j]) <= {MOST_OUTPUT!r}:
+                u[j] = out[j]
+                x[j] = math.nan
         for _ in range(plant_steps):
-            derivative(x, u, constants, k1)
-            for j in range({size}):
-                y[j] = x[j] + half * k1[j]
-            derivative(y, u, constants, k2)
-            for j in range({size}):
-                y[j] = x[j] + half * k2[j]
-            derivative(y, u, constants, k3)
-            for j in range({size}):
-                y[j] = x[j] + h * k3[j]
-            derivative(y, u, constants, k4)
-            for j in range({size}):
-                x[j] += sixth * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j]){settled}
+            {step}
         for j in range({n}):
             ref[0, j] = q_ref[k, j]
             ref[1, j] = qd_ref[k, j]
@@ -128,6 +124,22 @@ def run_slice(
                 tally[2, j] += 1.0
                 tally[3, j] = tick + k + 1
 """
+
+
+_RUNGE_KUTTA = """\
+derivative(x, u, constants, k1)
+            for j in range({size}):
+                y[j] = x[j] + half * k1[j]
+            derivative(y, u, constants, k2)
+            for j in range({size}):
+                y[j] = x[j] + half * k2[j]
+            derivative(y, u, constants, k3)
+            for j in range({size}):
+                y[j] = x[j] + h * k3[j]
+            derivative(y, u, constants, k4)
+            for j in range({size}):
+                x[j] += sixth * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j])"""
+"""A step from `x` on, in the loop of `run_slice`."""
 
 
 def _delayed(n: int, delay: int) -> str:

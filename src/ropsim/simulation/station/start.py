@@ -6,7 +6,6 @@ from ropsim.controller import CellSensors
 from ropsim.dynamics import check_moved_masses
 from ropsim.flow import Fidelity, in_time
 from ropsim.model import Cell, Device, Payload, Station, link_name, tool_body
-from ropsim.planning import standard_chain
 from ropsim.simulation.devices.axis_profile import AxisProfile, ProfileSegment
 from ropsim.simulation.devices.device_run import DeviceRun
 from ropsim.simulation.devices.table import DRIVINGS
@@ -28,6 +27,7 @@ from ropsim.simulation.state.run_options import RunOptions
 from ropsim.simulation.state.sensing import Senses
 from ropsim.simulation.state.station_run import StationRun
 from ropsim.simulation.station.kinematic_plant import KinematicPlant
+from ropsim.simulation.station.own_entities import station_chain, station_sensors
 from ropsim.simulation.station.servo_plant import ServoPlant
 from ropsim.spatial import Pose, frozen
 
@@ -51,7 +51,10 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
     content, parts = cell.content, initial_parts(cell)
     scenery = scenery_of(cell, content)
     sensors = CellSensors(cell.signals)
-    senses = {name: Senses(options.sensors or sensors, name) for name in cell.stations}
+    senses = {
+        name: Senses(options.sensors or station_sensors(cell, station, sensors), name)
+        for name, station in cell.stations.items()
+    }
     stations = {
         name: _station_run(cell, station, hz, scenery, options, senses[name])
         for name, station in cell.stations.items()
@@ -119,7 +122,7 @@ def _station_run(
     control_hz = station.controller.rates.control_hz
     at = StationRun(
         station=station,
-        chain=options.chains.get(station.name) or standard_chain(cell, station),
+        chain=options.chains.get(station.name) or station_chain(cell, station),
         plant=_plant(cell, station, load, options, senses),
         q_command=frozen(station.q_start),
         tool=mounted,

@@ -1,19 +1,19 @@
-"""The files of joint controllers that a project names: read, checked and put into its cell."""
+"""The files of controllers that a project names: read, checked and put into its cell."""
 
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from ropsim.cellfile import law_file_in_cell_file
+from ropsim.cellfile import controller_key_in_cell_file
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
-from ropsim.model import Cell, LawFile, Station
+from ropsim.model import Cell, ControllerModel, LawFile, Station
 from ropsim.userfiles import Trust, trust_in
 from ropsim.workbench.robots.robot_files import TextOf
 
 
 @frozen_dataclass
 class WithLaws:
-    """A cell whose joint controllers from files have been read.
+    """A cell whose controllers from files have been read.
 
     Attributes:
         cell: the cell.
@@ -27,12 +27,12 @@ class WithLaws:
 
 
 def has_law_files(cell: Cell) -> bool:
-    """Return whether a station of a cell has its joint controller in a file."""
-    return any(isinstance(one.controller.gains, LawFile) for one in cell.stations.values())
+    """Return whether a station of a cell has its joint controller or another entity in a file."""
+    return any(_files(one.controller) for one in cell.stations.values())
 
 
 def with_law_files(folder: Path, cell: Cell, cell_text: SourceText, text_of: TextOf) -> WithLaws:
-    """Return a cell with the texts of the files of its joint controllers; nothing of them is run.
+    """Return a cell with the texts of the files of its controllers; nothing of them is run.
 
     Args:
         folder: of the project; modules run if it is trusted.
@@ -44,32 +44,40 @@ def with_law_files(folder: Path, cell: Cell, cell_text: SourceText, text_of: Tex
     findings: list[Diagnostic] = []
     stations = dict(cell.stations)
     for name, station in cell.stations.items():
-        if isinstance(station.controller.gains, LawFile):
-            stations[name], text, found = _read(folder, station, station.controller.gains, text_of)
-            place = law_file_in_cell_file(cell_text, name)
-            findings += [one if one.span is not None else replace(one, span=place) for one in found]
+        for keys, file in _files(station.controller).items():
+            text, found = text_of(file.path)
+            place = controller_key_in_cell_file(cell_text, name, *keys)
             if text is not None:
-                texts[station.controller.gains.path] = text
-    if stations == cell.stations:
-        return WithLaws(cell, texts, tuple(findings))
-    return WithLaws(replace(cell, stations=stations), texts, tuple(findings))
+                is_trusted = file.is_code and trust_in(folder) is Trust.GIVEN
+                texts[file.path] = text
+                read = replace(file, text=text.text, is_trusted=is_trusted)
+                stations[name] = _with_file(stations[name], keys, read)
+                found = (*found, *_findings(read, text, stations[name]))
+            findings += [one if one.span is not None else replace(one, span=place) for one in found]
+    made = replace(cell, stations=stations) if texts else cell
+    return WithLaws(made, texts, tuple(dict.fromkeys(findings)))
 
 
-def _read(
-    folder: Path, station: Station, file: LawFile, text_of: TextOf
-) -> tuple[Station, SourceText | None, tuple[Diagnostic, ...]]:
-    from ropsim.controller import (
-        law_file_findings,
-        untrusted,
-    )  # with what generates code: few projects need it
+def _files(controller: ControllerModel) -> dict[tuple[str, ...], LawFile]:
+    """Return the files of a controller, by the keys that name them."""
+    files: dict[tuple[str, ...], LawFile] = {}
+    if isinstance(controller.gains, LawFile):
+        files["file",] = controller.gains
+    return files | {("entities", one.entity.value): one.file for one in controller.entities}
 
-    text, findings = text_of(file.path)
-    if text is None:
-        return station, None, findings
-    is_trusted = file.is_code and trust_in(folder) is Trust.GIVEN
-    read = replace(file, text=text.text, is_trusted=is_trusted)
-    controller = replace(station.controller, gains=read)
-    found = law_file_findings(read, text, controller, station.robot)
-    if file.is_code and not is_trusted:
-        found = (*found, untrusted(read))
-    return replace(station, controller=controller), text, (*findings, *found)
+
+def _with_file(station: Station, keys: tuple[str, ...], file: LawFile) -> Station:
+    controller = station.controller
+    if keys == ("file",):
+        return replace(station, controller=replace(controller, gains=file))
+    entities = (
+        replace(one, file=file) if one.entity.value == keys[-1] else one for one in controller.entities
+    )
+    return replace(station, controller=replace(controller, entities=tuple(entities)))
+
+
+def _findings(file: LawFile, text: SourceText, station: Station) -> tuple[Diagnostic, ...]:
+    from ropsim.controller import law_file_findings, untrusted  # it generates code, which few projects need
+
+    found = law_file_findings(file, text, station.controller, station.robot)
+    return (*found, untrusted(file)) if file.is_code and not file.is_trusted else found

@@ -135,3 +135,22 @@ def test_a_page_that_cannot_be_written_is_told(cell: Path, capsys: pytest.Captur
     beneath = str(cell / "taken" / "loops.html")
     assert main(["controller", "response", str(cell), "--axis", "3", "--report", beneath]) == 2
     assert "taken" in capsys.readouterr().err
+
+
+def test_what_sensors_do_is_in_the_answer_and_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    exact, late = tmp_path / "exact", tmp_path / "late"
+    for folder, more in (
+        (exact, ""),
+        (late, "[controller.sensors]\ncoordinate = { bits = 18, delay = 0.002 }\n"),
+    ):
+        folder.mkdir()
+        written(folder, "puma560", more)
+    (_, one), (_, other) = (document(capsys, str(each), "--axis", "1") for each in (exact, late))
+    assert (one["sensors"], other["sensors"]) == ([], ["coordinate"])
+    assert other["axes"][0]["margins"]["phase"] < one["axes"][0]["margins"]["phase"]
+    assert main(["controller", "response", str(late), "--axis", "1"]) == 0
+    text = capsys.readouterr().out
+    assert "responses: with the sensors of the cell for coordinate, their steps and noise" in text
+    assert "of sensors with delays and rates, without steps and noise" in text

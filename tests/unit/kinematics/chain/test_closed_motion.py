@@ -26,6 +26,7 @@ from support.random_loops import HELD, random_loop, with_joint_at_the_cut
 
 STEP = 1e-4
 GAP = 1e-12
+FASTEST = 6.0  # of passive coordinates
 BEFORE = 1e-9  # share of the way
 FIVE_POINTS = np.array([1.0, -8.0, 8.0, -1.0]) / 12.0  # at -2, -1, 1, 2 steps
 DIFFERENCES = 1e-8  # of central differences of fourth order, relative to derivatives
@@ -81,6 +82,7 @@ def test_a_cut_holds_what_the_joint_holds_for_which_it_stands(kind: JointType) -
 
 
 def test_speeds_and_accelerations_are_derivatives_of_closed_positions() -> None:
+    compared = 0
     for number, loop in enumerate(sound_loops()[::4]):
         random = np.random.default_rng(number)
         speed, change = random.normal(size=(2, loop.n))
@@ -90,11 +92,16 @@ def test_speeds_and_accelerations_are_derivatives_of_closed_positions() -> None:
             if len(closable(loop, rows)) < len(rows):
                 continue
             along = joint_motion(loop, rows, speed + ways * change, np.tile(change, (5, 1)))
+            if np.abs(along.speed).max() > FASTEST:
+                continue  # differences say little next to a dead centre
+            compared += 1
             first = FIVE_POINTS @ along.position[[0, 1, 3, 4]] / STEP
             second = FIVE_POINTS @ along.speed[[0, 1, 3, 4]] / STEP
             for found, expected in ((along.speed[2], first), (along.acceleration[2], second)):
                 size = max(1.0, np.abs(expected).max()) ** 3
                 np.testing.assert_allclose(found, expected, atol=DIFFERENCES * size, err_msg=loop.name)
+
+    assert compared > 40
 
 
 def test_coordinates_of_an_open_arm_are_linear_in_its_axes() -> None:

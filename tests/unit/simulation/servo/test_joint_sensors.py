@@ -10,6 +10,7 @@ from ropsim.codegen import Engine
 from ropsim.controller import CompiledLaw, LawInput, LawTraits
 from ropsim.model import ControllerModel, JointSensor, JointSensors, Payload
 from ropsim.simulation import Servo, ServoState
+from ropsim.simulation.testing import KeptDrives
 from ropsim.spatial import Array
 from support.hydraulic_arm import hydraulic_arm
 from support.servo_cases import controller, part, quintic
@@ -135,3 +136,28 @@ def test_slices_do_not_change_what_is_measured() -> None:
     start, reference = servo.initial_state(START), quintic(START, GOAL, TICKS)
     whole = servo.run(start, reference, Payload(), servo.recorder(start))
     np.testing.assert_array_equal(whole.values, _states(_under(*ALL, seed=3))[-1].values)
+
+
+@pytest.mark.parametrize(
+    ("sensor", "timed"),
+    [
+        (JointSensor("pressure", np.full(2, 6e3), np.full(2, 1e4)), True),
+        (JointSensor("pressure", NONE, NONE, period=5e-3), True),
+        (JointSensor("pressure", np.full(2, 6e3), NONE, delay=2e-3), False),
+        (JointSensor("current", NONE, np.ones(2)), False),
+    ],
+)
+def test_a_kept_slice_is_taken_again_where_the_sensors_say_the_same(sensor: JointSensor, timed: bool) -> None:
+    """Noise and samples depend on the number of the tick; what no law reads does not count."""
+    source = SOURCE.replace("state[held, j]\n", "state[held, j] + 1e-9 * sensed[pressure_a, j]\n")
+    law = replace(LAW, source=source)
+    servo, kept = Servo.build(hydraulic_arm(), _under(sensor, seed=3), law, Engine.PYTHON), KeptDrives()
+    reference, start = quintic(START, GOAL, 12), servo.initial_state(START)
+    for tick in (0, 7):
+        state = ServoState(tick, start.values.copy(), start.layout)
+        recorder = servo.recorder(state)
+        given = state, reference, Payload(), recorder, np.empty((12, 0))
+        after = kept.drive("one", servo, *given)
+        alone = servo.run(state, reference, Payload(), servo.recorder(state))
+        np.testing.assert_array_equal(after.values, alone.values)
+    assert kept.anew == (24 if timed else 12)

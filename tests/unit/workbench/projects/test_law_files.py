@@ -7,10 +7,13 @@ import pytest
 
 from ropsim.blockdiagram import Axes, CascadeGains, Limits, OutputKind, cascade, write_diagram
 from ropsim.cli.main import main
+from ropsim.controller import LawError
 from ropsim.core import Diagnostic
+from ropsim.flow import MoveEvent
 from ropsim.model import JointType, LawFile
 from ropsim.robotfile import write_robot_file
 from ropsim.robots import STANDARD_RATES, load, standard_gains
+from ropsim.simulation import Fidelity, RunOptions
 from ropsim.userfiles import Trust, set_trust
 from ropsim.workbench import Project, ProjectError, open_overlaid, open_project
 from support.diagrams import voltages
@@ -225,3 +228,121 @@ def test_an_arm_without_drives_takes_no_file(folder: Path) -> None:
     text = CELL.format(name="p_pi.p21").replace("puma560", "arm.toml")
     (folder / "cell.toml").write_text(text, "utf-8")
     assert [one.code for one in errors(open_project(folder))] == ["X930"]
+
+
+ENTITIES = """\
+[robot]
+model = "puma560"
+
+[controller.entities]
+interpolator = "controllers/weaving.py"
+path_planner = "controllers/slow.py"
+joint_interpolator = "controllers/through.py"
+inverse_transform = "controllers/through.py"
+path_corrector = "controllers/through.py"
+sensor_interface = "controllers/through.py"
+"""
+SLOW = """\
+from dataclasses import dataclass, replace
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Slow:
+    inner: Any
+
+    def plan(self, move, q_start):
+        planned = self.inner.plan(move, q_start)
+        if planned.joints is None:
+            return planned
+        joints = planned.limits.joints
+        joints = replace(joints, speed=0.5 * joints.speed)
+        return replace(planned, limits=replace(planned.limits, joints=joints))
+
+
+def path_planner(standard, cell, station):
+    return Slow(standard)
+"""
+WEAVING = """\
+from dataclasses import replace
+
+import numpy as np
+
+from ropsim.planning import StandardInterpolator
+
+
+class Weaving:
+    straight = StandardInterpolator(distance=0.002)
+
+    def sample(self, path, sampling):
+        points = self.straight.sample(path, sampling)
+        s = np.linspace(0.0, 1.0, len(points.matrices))
+        matrices = points.matrices.copy()
+        matrices[:, 2, 3] += 0.003 * np.sin(np.pi * s) ** 4 * np.sin(40.0 * s)
+        return replace(points, matrices=matrices)
+
+
+def interpolator(standard, cell, station):
+    return Weaving()
+"""
+THROUGH = """\
+def joint_interpolator(standard, cell, station):
+    return standard
+
+
+inverse_transform = path_corrector = sensor_interface = joint_interpolator
+"""
+LINE = "program p\nunits mm, deg, s\nmov (500, -200, 400)\nlin (500, 200, 400) speed 200 mm/s\n"
+
+
+def test_entities_of_a_trusted_project_take_the_place_of_the_built_in_ones(folder: Path) -> None:
+    (folder / "programs" / "main.task").write_text(LINE, "utf-8")
+    for name, text in (("slow", SLOW), ("weaving", WEAVING), ("through", THROUGH)):
+        (folder / "controllers" / f"{name}.py").write_text(text, "utf-8")
+    (folder / "cell.toml").write_text('[robot]\nmodel = "puma560"\n', "utf-8")
+    before = open_project(folder).simulate(options=RunOptions(Fidelity.KINEMATIC))
+    (folder / "cell.toml").write_text(ENTITIES, "utf-8")
+    found = errors(open_project(folder))
+    assert {one.code for one in found} == {"C628"}
+    lines = {one.message.split("`")[1]: one.span.line for one in found if one.span is not None}
+    assert lines["controllers/weaving.py"] == 5
+    assert lines["controllers/slow.py"] == 6
+    set_trust(folder, Trust.GIVEN)
+    project = open_project(folder)
+    assert errors(project) == []
+    after = project.simulate(options=RunOptions(Fidelity.KINEMATIC))
+    assert after.ok
+    (first, line), (slow, woven) = (
+        [one for one in made.events if isinstance(one, MoveEvent)] for made in (before, after)
+    )
+    assert first.travel is not None
+    assert slow.travel is not None
+    assert slow.travel > 1.4 * first.travel
+    assert line.path_error_max is not None
+    assert woven.path_error_max is not None
+    assert line.path_error_max < 1e-5
+    assert 0.002 < woven.path_error_max < 0.004
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("def path_planner(standard, cell, station):\n    return 3\n", "returns int"),
+        ("def planner():\n    return 3\n", "defines no function `path_planner`"),
+        ("import none_such\n", "line 1 fails: ModuleNotFoundError"),
+    ],
+)
+def test_an_entity_that_cannot_be_made_is_a_finding(folder: Path, text: str, words: str) -> None:
+    cell = '[robot]\nmodel = "puma560"\n[controller.entities]\npath_planner = "controllers/slow.py"\n'
+    (folder / "cell.toml").write_text(cell, "utf-8")
+    (folder / "controllers" / "slow.py").write_text(text, "utf-8")
+    set_trust(folder, Trust.GIVEN)
+    with pytest.raises(LawError, match=words) as refused:
+        open_project(folder).simulate()
+    assert refused.value.diagnostic.code == "C629"
+
+
+def test_an_unknown_entity_or_a_diagram_for_one_is_found(folder: Path) -> None:
+    cell = '[robot]\nmodel = "puma560"\n[controller.entities]\npath_planer = "a.py"\ninterpolator = "a.p21"\n'
+    (folder / "cell.toml").write_text(cell, "utf-8")
+    assert [one.code for one in errors(open_project(folder))] == ["X802", "X930"]

@@ -1,0 +1,68 @@
+"""The schema of controllers, and its files, read like by other readers."""
+
+import express_schema.parse as oracle
+import pytest
+from steputils import p21
+
+from ropsim.blockdiagram import published_controller
+from ropsim.blockdiagram.fields import BLOCK_FORMS, BlockForm
+from ropsim.blockdiagram.schema_text import control_schema, control_schema_text
+from ropsim.part21 import Absent, Enumeration, Reference, Value, read_exchange
+
+
+def test_another_reader_of_express_sees_the_same_schema() -> None:
+    other, errors = oracle.parse(control_schema_text().text)
+    assert errors is None
+    assert other is not None
+    seen = {
+        entity.identifier: (
+            sum(len(clause.attributes) for clause in entity.explicit_clauses),
+            [rule.label for rule in entity.domain_rules],
+        )
+        for entity in other.entity_declarations
+    }
+    ours = {
+        name: (len(entity.attributes), [rule.label for rule in entity.rules])
+        for name, entity in control_schema().entities.items()
+    }
+    assert seen == ours
+
+
+@pytest.mark.parametrize("form", BLOCK_FORMS, ids=lambda form: form.entity)
+def test_fields_of_blocks_stand_in_the_order_of_the_schema(form: BlockForm) -> None:
+    names = [one.attribute.name for one in control_schema().parameters[form.entity]][3:]
+    own = [name for name, _ in form.fields]
+    assert [name.replace("matrix_of_gains", "matrix") for name in names] == own
+
+
+def plain(value: Value) -> object:
+    """Return a parameter as steputils has it."""
+    match value:
+        case Reference(number):
+            return f"#{number}"
+        case Enumeration(name):
+            return f".{name}."
+        case Absent():
+            return value.value
+        case tuple():
+            return tuple(plain(one) for one in value)
+        case _:
+            return value
+
+
+def test_another_reader_of_exchange_files_sees_the_same_controller() -> None:
+    text = published_controller("manutec_r3")
+    file, _ = read_exchange(text)
+    (data,) = p21.loads(text.text).data
+    seen = {
+        instance.ref: (instance.entity.name, tuple(instance.entity.params))
+        for instance in data.instances.values()
+    }
+    ours = {
+        f"#{instance.number}": (
+            instance.records[0].keyword,
+            tuple(plain(value) for value in instance.records[0].values),
+        )
+        for instance in file.instances
+    }
+    assert seen == ours
