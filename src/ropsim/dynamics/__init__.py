@@ -30,7 +30,6 @@ from ropsim.dynamics.drives import chain_of as chain_of
 from ropsim.dynamics.drives import command_band as command_band
 from ropsim.dynamics.drives import command_limit as command_limit
 from ropsim.dynamics.drives import drive_fault as drive_fault
-from ropsim.dynamics.drives import drive_power as drive_power
 from ropsim.dynamics.drives import flow_into as flow_into
 from ropsim.dynamics.drives import friction_steepness as friction_steepness
 from ropsim.dynamics.drives import least_opening as least_opening

@@ -7,8 +7,8 @@ from ropsim.controller import CompiledLaw, PythonLaw
 from ropsim.flow import JointReference, Recording, RunFacts
 from ropsim.model import ROBOT, ControllerModel, Payload, RobotModel
 from ropsim.simulation.recording.channels import joint_channels
-from ropsim.simulation.recording.powers import drive_powers
 from ropsim.simulation.servo.checks import check_option
+from ropsim.simulation.servo.log import drive_powers
 from ropsim.simulation.servo.servo import Servo
 from ropsim.simulation.station.station_facts import station_facts, with_law
 from ropsim.spatial import Array, record

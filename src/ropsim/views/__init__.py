@@ -10,9 +10,9 @@ from ropsim.views.cycle import LineCycle as LineCycle
 from ropsim.views.cycle import TaskCycle as TaskCycle
 from ropsim.views.cycle import summarize_cycle as summarize_cycle
 from ropsim.views.html.door import html_report as html_report
+from ropsim.views.html.door import response_page as response_page
 from ropsim.views.html.replay import NoReplay as NoReplay
 from ropsim.views.html.replay import Replay as Replay
-from ropsim.views.loops.door import response_page as response_page
 from ropsim.views.loops.records import LoopPage as LoopPage
 from ropsim.views.loops.records import LoopTable as LoopTable
 from ropsim.views.loops.records import SineCurves as SineCurves

@@ -12,7 +12,6 @@ from ropsim.dynamics.drives.faults import drive_fault as drive_fault
 from ropsim.dynamics.drives.faults import range_fault as range_fault
 from ropsim.dynamics.drives.hydraulics.servo_valve import flow_into as flow_into
 from ropsim.dynamics.drives.hydraulics.servo_valve import least_opening as least_opening
-from ropsim.dynamics.drives.power import drive_power as drive_power
 from ropsim.dynamics.drives.steady import SteadyDrive as SteadyDrive
 from ropsim.dynamics.drives.steady import command_band as command_band
 from ropsim.dynamics.drives.steady import command_limit as command_limit

@@ -12,6 +12,7 @@ from ropsim.dynamics.drives.block import (
     MotorBlock,
     Movement,
     Numbers,
+    Recorded,
     Rubbing,
     Shaft,
     TransmissionBlock,
@@ -19,6 +20,7 @@ from ropsim.dynamics.drives.block import (
 )
 from ropsim.dynamics.drives.table import AMPLIFIERS, FRICTIONS, MOTORS, TRANSMISSIONS
 from ropsim.model import Drive
+from ropsim.spatial import Array
 
 
 @frozen_dataclass
@@ -98,6 +100,19 @@ class DriveChain:
             return self.friction.sliding(friction, ratio, speed)
 
         return self._carried(p, (q, qd), [zero] * len(self.states), zero, taken)
+
+    def power(self, drive: Drive, columns: Recorded) -> Array:
+        """Return the power that a drive of these blocks draws [W], negative while it returns some, (rows,).
+
+        It excludes amplifier, controller, brakes, and the electrical side of a valve.
+
+        Args:
+            drive: its records.
+            columns: recorded quantities of its axis by name: `q`, `qd`, the states of the drive and the
+                output of its amplifier.
+        """
+        speed = self.transmission.speed(drive.transmission, columns)
+        return self.motor.power(drive.motor, columns, speed)
 
     def _carried(
         self,

@@ -7,13 +7,11 @@ import numpy as np
 from ropsim.dynamics import Column, structure_of
 from ropsim.flow import Channel, ChannelGroup
 from ropsim.model import Device, Joint, JointType, RobotModel
-from ropsim.simulation.recording.powers import POWER
 from ropsim.simulation.records.track import Track
-from ropsim.simulation.servo.log import ARM_COLUMNS, REFERENCE_COLUMNS, LogLayout, recorded
+from ropsim.simulation.servo.log import ARM_COLUMNS, POWER, REFERENCE_COLUMNS, LogLayout, recorded
 from ropsim.spatial import Array, frozen
 
 _ERROR = Column("q_error", "{q}", "reference minus attained joint coordinates")
-_POWER = Column(POWER, "W", "power that the drive draws; negative where it gives back")
 _COORDINATE = {JointType.REVOLUTE: "rad", JointType.PRISMATIC: "m"}
 _EFFORT = {JointType.REVOLUTE: "N·m", JointType.PRISMATIC: "N"}
 
@@ -30,7 +28,7 @@ def joint_channels(station: str, robot: RobotModel, log: Mapping[str, Array]) ->
     drives = dict.fromkeys(column for chain in chains for column in recorded(chain))
     axes = {field.name: field.axes for field in LogLayout.of(chains).fields}
     channels = {}
-    for column in (*ARM_COLUMNS, *drives, *REFERENCE_COLUMNS, _ERROR, _POWER):
+    for column in (*ARM_COLUMNS, *drives, *REFERENCE_COLUMNS, _ERROR, POWER):
         if column.name in log:
             joints = [robot.axis_joints[k] for k in axes.get(column.name, range(robot.n))]
             values = np.asarray(log[column.name])

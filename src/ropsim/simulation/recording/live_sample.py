@@ -13,8 +13,8 @@ from ropsim.simulation.recording.channels import (
     pose_channels,
     track_channel,
 )
-from ropsim.simulation.recording.powers import drive_powers
 from ropsim.simulation.records.track import Track
+from ropsim.simulation.servo.log import drive_powers
 from ropsim.simulation.state.station_run import StationRun
 from ropsim.simulation.state.watch import RunView
 from ropsim.spatial import quaternions_from_matrices

@@ -44,10 +44,10 @@ from ropsim.simulation.recording.channels import (
 )
 from ropsim.simulation.recording.path_corrections import corrections, without_corrections
 from ropsim.simulation.recording.path_speeds import path_speeds
-from ropsim.simulation.recording.powers import drive_powers
 from ropsim.simulation.records.move_span import PathSpan
 from ropsim.simulation.records.tally_kernel import greatest
 from ropsim.simulation.records.track import Track
+from ropsim.simulation.servo.log import drive_powers
 from ropsim.simulation.state.cell_run import CellRun
 from ropsim.simulation.state.inputs import input_events
 from ropsim.simulation.state.run_options import RunOptions

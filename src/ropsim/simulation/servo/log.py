@@ -1,10 +1,15 @@
 """Data that a servo simulation records at a tick: the fields of a row of its log."""
 
+from collections.abc import Mapping
 from math import inf
 
+import numpy as np
+
 from ropsim.core import frozen_dataclass
-from ropsim.dynamics import Column, DriveChain
+from ropsim.dynamics import Column, DriveChain, structure_of
+from ropsim.model import RobotModel
 from ropsim.simulation.records.fields import Field, fields
+from ropsim.spatial import Array
 
 ARM_COLUMNS = (
     Column("q", "{q}", "attained joint coordinates"),
@@ -57,3 +62,29 @@ def floors(chains: tuple[DriveChain, ...]) -> dict[str, float]:
     """Return the quantities of drives that cannot be below a value, and that value, by name."""
     columns = dict.fromkeys(column for chain in chains for column in recorded(chain))
     return {column.name: column.least for column in columns if column.least > -inf}
+
+
+POWER = Column("power", "W", "power that the drive draws; negative where it gives back")
+"""Column that is made of the others."""
+
+
+def drive_powers(robot: RobotModel, log: Mapping[str, Array]) -> dict[str, Array]:
+    """Return the power of each drive [W], negative while it returns some, shape (rows, n), by its name.
+
+    Nothing for an arm without drives, and for a log of an arm that follows its reference exactly.
+
+    Args:
+        robot: the arm.
+        log: arrays by quantity, a column for each joint that has it.
+    """
+    chains = structure_of(robot).drives
+    fields = LogLayout.of(chains).fields
+    if not chains or any(field.name not in log for field in fields):
+        return {}
+    powers = np.empty(log["q"].shape)
+    for axis, (chain, drive) in enumerate(zip(chains, robot.drives, strict=True)):
+        own = {
+            field.name: log[field.name][:, field.axes.index(axis)] for field in fields if axis in field.axes
+        }
+        powers[:, axis] = chain.power(drive, own)
+    return {POWER.name: powers}

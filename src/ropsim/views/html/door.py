@@ -1,4 +1,4 @@
-"""The way to the HTML report, which is loaded when the first one is written."""
+"""The way to the HTML report and to pages of responses, which are loaded when the first one is written."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
@@ -10,6 +10,7 @@ from ropsim.views.summary.summary import Summary
 
 if TYPE_CHECKING:
     from ropsim.views.comparison import Comparison
+    from ropsim.views.loops.records import LoopPage
 
 
 def html_report(
@@ -31,3 +32,10 @@ def html_report(
     from ropsim.views.html.report import html_report as written
 
     return written(recording, summary, sources, replay, comparison)
+
+
+def response_page(page: "LoopPage") -> str:
+    """Return responses and margins of loops as one HTML page that needs nothing else."""
+    from ropsim.views.loops.page import response_page as written
+
+    return written(page)
