@@ -42,6 +42,7 @@ from ropsim.dynamics.effort_rows import effort_rows as effort_rows
 from ropsim.dynamics.elastic_gears import elastic_axes as elastic_axes
 from ropsim.dynamics.elastic_gears import gear_stiffnesses as gear_stiffnesses
 from ropsim.dynamics.elastic_gears import with_rigid_gears as with_rigid_gears
+from ropsim.dynamics.fastened import spring_numbers as spring_numbers
 from ropsim.dynamics.gravity_loads import gravity_loads as gravity_loads
 from ropsim.dynamics.greatest_gravity import greatest_gravity_loads as greatest_gravity_loads
 from ropsim.dynamics.inertia import barycentric as barycentric
@@ -51,7 +52,6 @@ from ropsim.dynamics.loaded_arm import trace_loaded_links as trace_loaded_links
 from ropsim.dynamics.long_arms.long_arm import chain_acceleration_code as chain_acceleration_code
 from ropsim.dynamics.long_arms.long_arm import chain_numbers as chain_numbers
 from ropsim.dynamics.loops.closed_arm import closed_coordinates as closed_coordinates
-from ropsim.dynamics.loops.fastened import spring_numbers as spring_numbers
 from ropsim.dynamics.loops.free_motion import FreeMotion as FreeMotion
 from ropsim.dynamics.loops.free_motion import free_motion as free_motion
 from ropsim.dynamics.loops.plant_code import GAP as GAP
@@ -71,6 +71,8 @@ from ropsim.dynamics.structure import arm_numbers as arm_numbers
 from ropsim.dynamics.structure import split_numbers as split_numbers
 from ropsim.dynamics.structure import structure_of as structure_of
 from ropsim.dynamics.structure import traced_numbers as traced_numbers
+from ropsim.dynamics.traced.loaded_arm import trace_loaded_inverse as trace_loaded_inverse
+from ropsim.dynamics.traced.loaded_arm import trace_loaded_links as trace_loaded_links
 from ropsim.dynamics.traced.traced_arm import trace_arm as trace_arm
 from ropsim.dynamics.traced.traced_drives import Side as Side
 from ropsim.dynamics.traced.traced_drives import sides_of as sides_of

@@ -11,8 +11,7 @@ import numpy as np
 from ropsim.codegen import Scalar, Tracer, given
 from ropsim.core import frozen_dataclass
 from ropsim.dynamics.drives import DriveChain, chain_of
-from ropsim.dynamics.inertia import interface_step, step_bodies, tip_body
-from ropsim.dynamics.loops.fastened import (
+from ropsim.dynamics.fastened import (
     CutPlaces,
     Placement,
     SpringPlaces,
@@ -22,6 +21,7 @@ from ropsim.dynamics.loops.fastened import (
     spring_places,
     sprung_rows,
 )
+from ropsim.dynamics.inertia import interface_step, step_bodies, tip_body
 from ropsim.model import BASE_LINK, JointType, Mechanism, Payload, joint_tree
 from ropsim.spatial import Array, frozen
 

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from ropsim.codegen import Formula, Scalar, SourceFunction
 from ropsim.core import frozen_dataclass
-from ropsim.dynamics.loops.fastened import CutPlaces
+from ropsim.dynamics.fastened import CutPlaces
 from ropsim.dynamics.loops.solver import DEPENDENT, NOTHING
 from ropsim.dynamics.loops.solver_code import solver_code
 from ropsim.dynamics.traced.loop_rows import trace_drift, trace_loops

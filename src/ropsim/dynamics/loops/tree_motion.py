@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.dynamics.loops.fastened import spring_numbers, spring_places
+from ropsim.dynamics.fastened import spring_numbers, spring_places
 from ropsim.kinematics import frames_of_steps, joint_motion
 from ropsim.model import (
     BASE_LINK,

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from ropsim.codegen import Scalar, Tracer, rates_of
-from ropsim.dynamics.loops.fastened import CutPlaces
+from ropsim.dynamics.fastened import CutPlaces
 from ropsim.dynamics.traced.traced_arm import TracedArm, traced_placement
 from ropsim.dynamics.traced.tree_frames import common_step, frames_on_way, moved_along, turned_about, way_to
 from ropsim.dynamics.traced.vectors import Matrix, Vector, add, apply, column, cross, dot, product, transpose

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from ropsim.codegen import Scalar, Tracer, cos, sin
 from ropsim.core import frozen_dataclass
-from ropsim.dynamics.loops.fastened import Placement, SpringPlaces
+from ropsim.dynamics.fastened import Placement, SpringPlaces
 from ropsim.dynamics.structure import ArmStructure, TracedNumbers
 from ropsim.dynamics.traced.vectors import Matrix, Vector
 from ropsim.model import JointType

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from ropsim.codegen import Scalar, maximum, sqrt
-from ropsim.dynamics.loops.fastened import SpringPlaces
+from ropsim.dynamics.fastened import SpringPlaces
 from ropsim.dynamics.traced.traced_arm import TracedArm
 from ropsim.dynamics.traced.tree_frames import common_step, frames_on_way, moved_along, way_to
 from ropsim.dynamics.traced.vectors import Vector, add, apply, dot
