@@ -46,9 +46,6 @@ from ropsim.dynamics.fastened import spring_numbers as spring_numbers
 from ropsim.dynamics.gravity_loads import gravity_loads as gravity_loads
 from ropsim.dynamics.greatest_gravity import greatest_gravity_loads as greatest_gravity_loads
 from ropsim.dynamics.inertia import barycentric as barycentric
-from ropsim.dynamics.loaded_arm import trace_loaded_inertias as trace_loaded_inertias
-from ropsim.dynamics.loaded_arm import trace_loaded_inverse as trace_loaded_inverse
-from ropsim.dynamics.loaded_arm import trace_loaded_links as trace_loaded_links
 from ropsim.dynamics.long_arms.long_arm import chain_acceleration_code as chain_acceleration_code
 from ropsim.dynamics.long_arms.long_arm import chain_numbers as chain_numbers
 from ropsim.dynamics.loops.closed_arm import closed_coordinates as closed_coordinates
@@ -71,6 +68,7 @@ from ropsim.dynamics.structure import arm_numbers as arm_numbers
 from ropsim.dynamics.structure import split_numbers as split_numbers
 from ropsim.dynamics.structure import structure_of as structure_of
 from ropsim.dynamics.structure import traced_numbers as traced_numbers
+from ropsim.dynamics.traced.loaded_arm import trace_loaded_inertias as trace_loaded_inertias
 from ropsim.dynamics.traced.loaded_arm import trace_loaded_inverse as trace_loaded_inverse
 from ropsim.dynamics.traced.loaded_arm import trace_loaded_links as trace_loaded_links
 from ropsim.dynamics.traced.traced_arm import trace_arm as trace_arm
