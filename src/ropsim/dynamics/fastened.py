@@ -1,4 +1,4 @@
-"""What holds or pulls bodies of a mechanism together besides its joints: cuts of closed chains, springs."""
+"""Connections of bodies of a mechanism besides its joints: cuts of closed chains, springs."""
 
 from functools import lru_cache
 
@@ -94,7 +94,7 @@ def sprung_rows(robot: Mechanism) -> tuple[tuple[float, ...], ...]:
 
 
 def spring_numbers(robot: Mechanism) -> Array:
-    """Return the numbers of all springs, shape (3·springs,), those on coordinates behind the others.
+    """Return the numbers of all springs, shape (3·springs,), joint springs behind the others.
 
     They are stiffness, free length or rest, and damping.
     """

@@ -16,7 +16,7 @@ from ropsim.spatial import Array
 
 Numbers = Sequence[Scalar]
 Recorded = Mapping[str, Array]
-"""What is recorded of an axis, by quantity: coordinate `q`, speed `qd`, and the columns of its drive, shape
+"""Recorded columns of an axis, by quantity: coordinate `q`, speed `qd`, and the columns of its drive, shape
 (rows,) each."""
 
 

@@ -37,7 +37,7 @@ def _steady(motor: DcMotor, torque: float, speed: float) -> Steady:
 
 
 def electric_power(motor: DcMotor | CurrentLoopMotor, columns: Recorded, speed: Array) -> Array:
-    """Return R·i² + Ke·i·ω: what its voltage u brings, u·i, but for what the winding keeps, d(L·i²/2)/dt."""
+    """Return R·i² + Ke·i·ω: the power u·i of its voltage without d(L·i²/2)/dt, which the winding stores."""
     current = columns["current"]
     return np.asarray(current * (motor.resistance * current + motor.back_emf_constant * speed))
 

@@ -47,7 +47,7 @@ def trace_rotor(shaft: Shaft, ratio: Scalar, states: Numbers, effort: Scalar) ->
 
 
 def rotor_speed(gear: Elastic, columns: Recorded) -> Array:
-    """Return the speed of a rotor with states of its own [rad/s], from what is recorded."""
+    """Return the speed of a rotor with states of its own [rad/s], from its recorded columns."""
     return np.asarray(gear.ratio * columns["motor_speed"])
 
 

@@ -26,7 +26,7 @@ def _pole(motor: IdealMotor) -> float:
 
 
 def _power(motor: IdealMotor, columns: Recorded, speed: Array) -> Array:
-    """Return what its shaft brings, τ·ω: it loses nothing."""
+    """Return the power of its shaft, τ·ω: it has no losses."""
     del motor
     return np.asarray(columns["command"] * speed)
 

@@ -29,7 +29,7 @@ def _steady(motor: LaggingMotor, torque: float, speed: float) -> Steady:
 
 
 def _power(motor: LaggingMotor, columns: Recorded, speed: Array) -> Array:
-    """Return what its shaft brings, τ·ω: it loses nothing."""
+    """Return the power of its shaft, τ·ω: it has no losses."""
     del motor
     return np.asarray(columns["motor_torque"] * speed)
 

@@ -41,7 +41,7 @@ def _steady(motor: ThermalDcMotor, torque: float, speed: float) -> Steady:
 
 
 def _power(motor: ThermalDcMotor, columns: Recorded, speed: Array) -> Array:
-    """Return R·i² + Ke·i·ω with the constants of a motor as warm as it is."""
+    """Return R·i² + Ke·i·ω with the constants at its temperatures."""
     current = columns["current"]
     resistance = motor.resistance * (1.0 + motor.resistance_drift * columns["winding_rise"])
     back_emf = motor.back_emf_constant * (1.0 + motor.torque_drift * columns["housing_rise"])

@@ -1,1 +1,1 @@
-"""Closed chains: rows of the cuts, what is fastened where, and the solver of motion under constraints."""
+"""Closed chains: rows of the cuts, and the solver of motion under constraints."""

@@ -1,6 +1,6 @@
 """Source of the dynamics of mechanisms with closed chains, at positions that are closed.
 
-All coordinates of the tree are y = (q, z): those of the axes, and those that closed chains determine. With
+All coordinates of the tree are y = (q, z): of the axes, and of closed chains. With
 the efforts f of the tree at a motion of all coordinates, the efforts of the axes are f_q + Kᵀ·f_z by virtual
 work, where ż = K·q̇ follows from the rows A of the cuts. Forward dynamics solves all coordinates at once, so
 that it has an answer in dead centres too.
@@ -26,8 +26,8 @@ def traced_terms(structure: ArmStructure) -> GivenCode:
     """Return `terms(y, yd, wrench, constants, out)` and `efforts(y, yd, ydd, wrench, constants, out)`.
 
     With N coordinates and r rows, `terms` enters the mass matrix of the rigid bodies (N·N), the efforts
-    without accelerations (N), the slopes of what is left between the frames (r·N), and its second derivatives
-    without accelerations (r); `efforts` the efforts of a motion (N) and the slopes.
+    without accelerations (N), the slopes of the residuals between the frames (r·N), and their second
+    derivatives without accelerations (r); `efforts` the efforts of a motion (N) and the slopes.
     """
     tracer, count = Tracer(), structure.count
     y, yd, ydd = (tracer.variables(name, count) for name in ("y", "yd", "ydd"))
@@ -47,7 +47,7 @@ def traced_terms(structure: ArmStructure) -> GivenCode:
 
 @lru_cache(maxsize=64)
 def closed_functions(structure: ArmStructure) -> dict[str, tuple[SourceFunction, ...]]:
-    """Return the functions of closed chains by name, each with those that it calls before it.
+    """Return the functions of closed chains by name, each behind the functions that it calls.
 
     `closed_torques(y, yd, ydd, wrench, constants, tau)`, `closed_mass(y, constants, M)`,
     `closed_accelerations(y, yd, net, inertia, constants, qdd)`, and the torques of many motions, one in each
@@ -100,7 +100,7 @@ def ratios(A, K):
             b[k] = -A[k, i]
         solve_rows(L, Q, R, order, nothing, b, parts, K[i])
 """
-"""Rows of `K` are what the passive coordinates do with each axis."""
+"""Rows of `K` are the changes of the passive coordinates by each axis."""
 
 _TORQUES = """\
 def closed_torques(y, yd, ydd, wrench, constants, tau):

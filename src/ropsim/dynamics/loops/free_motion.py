@@ -19,7 +19,7 @@ class FreeMotion(NamedTuple):
     """A motion of a mechanism, row by row.
 
     Attributes:
-        y: coordinates of the axes, then those that closed chains determine [rad | m], shape (k, n + p).
+        y: coordinates of the axes, then of closed chains [rad | m], shape (k, n + p).
         yd: their speeds, shape (k, n + p).
         gap: the most that a step of the integration leaves between frames of closed chains, before they are
             put together again [m, rad], shape (k,).

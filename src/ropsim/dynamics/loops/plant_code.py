@@ -22,7 +22,7 @@ GAP = 1e-9
 """Frames that are farther apart than this have come apart [m, rad]."""
 
 SETTLED = 1e-9
-"""What is left between frames that needs no second step [m, rad]: its square is left behind the first."""
+"""Residual between frames that needs no second step [m, rad]: its square remains after the first."""
 
 ROUNDS = 8
 """Most steps of Newton's method behind a step of the integration."""
@@ -37,7 +37,7 @@ class LoopState:
         passive: places of the coordinates that closed chains determine.
         passive_speeds: places of their speeds.
         rates: places of the states of drives.
-        gap: place of what is left between the frames.
+        gap: place of the residual between the frames.
     """
 
     n: int
@@ -67,8 +67,8 @@ def plant_formulas(
     """Return `plant(x, u, constants, out)` and `stance(x, constants, out)`, which `motion_code` calls.
 
     `plant` enters the mass matrix (N·N), the efforts without accelerations of the coordinates (N), the slopes
-    of what is left between the frames (r·N), minus its second derivatives without accelerations (r), and
-    rates of drives; `stance` the mass matrix, the slopes, and minus what is left (r).
+    of the residuals between the frames (r·N), minus their second derivatives without accelerations (r), and
+    rates of drives; `stance` the mass matrix, the slopes, and minus the residuals (r).
 
     Args:
         arm: the mechanism.

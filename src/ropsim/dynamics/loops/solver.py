@@ -49,7 +49,7 @@ def factor_mass(M: Array, A: Array, nothing: float, L: Array) -> None:
         M: mass matrix, of which the lower triangle is read, shape (n, n).
         A: rows, shape (r, n).
         nothing: pivot, relative to the diagonal, that is rounding.
-        L: gets the factor, with an infinite pivot for what has no inertia, shape (n, n).
+        L: gets the factor, with an infinite pivot for a coordinate without inertia, shape (n, n).
     """
     n, r = M.shape[0], A.shape[0]
     weight = row_weight(M, A)

@@ -73,7 +73,7 @@ def step_ratios(robot: Mechanism, Q: npt.ArrayLike) -> Array:
 
 
 class SpringLengths(NamedTuple):
-    """How axes stretch springs: those between bodies, then those on coordinates, s of them.
+    """How axes stretch springs: between bodies, then on coordinates, s of them.
 
     Attributes:
         places: lengths [m], and coordinates [rad | m], shape (k, s).

@@ -1,10 +1,10 @@
-"""The cuts of closed chains as equations: what is left between two frames, and its slopes.
+"""The cuts of closed chains as equations: residuals between two frames, and their slopes.
 
-In directions along the axes of the first frame, what is left is the way from its origin to the other one; of
-rotations, with E = R₁ᵀ·R₂ and all three held, it is the vector of (E - Eᵀ)/2. With two held it is what tilts
-the axis of the free one; with one held it is what two axes of the frames, between
-which the cross of a universal joint stands, are off the right angle. None of these slopes vanishes in a
-closed chain, however far the free directions are turned.
+In directions along the axes of the first frame, the residual is the way from its origin to the other one; of
+rotations, with E = R₁ᵀ·R₂ and all three held, it is the vector of (E - Eᵀ)/2. With two held it is the tilt of
+the axis of the free one; with one held it is by how far two axes of the frames, between which the cross of a
+universal joint stands, are off the right angle. None of these slopes vanishes in a closed chain, however far
+the free directions are turned.
 """
 
 from collections.abc import Sequence
@@ -25,7 +25,7 @@ class LoopRows(NamedTuple):
     """The equations of all cuts, r of them.
 
     Attributes:
-        left: what is left between the frames [m, rad], r of them.
+        left: residuals between the frames [m, rad], r of them.
         slopes: by the coordinates that move the tree, r rows.
         steps: the same by the coordinates of the steps.
     """
@@ -47,7 +47,7 @@ def trace_loops(arm: TracedArm, cuts: Sequence[CutPlaces]) -> LoopRows:
 
 
 def trace_drift(arm: TracedArm, rows: LoopRows, speeds: Sequence[Scalar]) -> list[Scalar]:
-    """Return the second derivatives of what is left, without accelerations of the coordinates.
+    """Return the second derivatives of the residuals, without accelerations of the coordinates.
 
     Args:
         arm: the arm.
@@ -103,7 +103,7 @@ def _row(arm: TracedArm, rates: list[tuple[int, Scalar]]) -> list[Scalar]:
 
 
 def _turns(tracer: Tracer, E: Matrix, held: Sequence[bool]) -> list[tuple[Scalar, Vector]]:
-    """Return what is left of the rotations that are held, each with the turn that lets it grow.
+    """Return the residuals of the rotations that are held, each with the turn that lets it grow.
 
     A turn is a factor of the angular velocity of the second frame against the first one, in the axes of that.
     """

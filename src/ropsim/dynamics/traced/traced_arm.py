@@ -29,7 +29,7 @@ class Body:
 class TracedArm:
     """An arm in one traced formula: m steps that n coordinates move.
 
-    The coordinates are those of the axes, then those that closed chains determine.
+    The coordinates are of the axes, then of closed chains.
 
     Attributes:
         tracer: the graph.

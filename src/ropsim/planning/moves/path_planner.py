@@ -20,11 +20,11 @@ from ropsim.motion import (
     Standing,
     SynchronisedJoints,
 )
+from ropsim.planning.entity_checks.chain_check import chain_refusals
 from ropsim.planning.entity_checks.entity_faults import guarded, with_reason
 from ropsim.planning.entity_checks.path_faults import unusable_tool_path
 from ropsim.planning.entity_checks.path_truth import misplaced_tool_path
 from ropsim.planning.kinds import TOOL_PATHS, PathRequest, ToolPathMaker
-from ropsim.planning.moves.chain_check import chain_refusals
 from ropsim.planning.moves.external_check import check_external, with_external
 from ropsim.planning.moves.move_check import check_joints, check_kind, check_values, is_near
 from ropsim.planning.moves.move_context import MoveContext, move_context_of

@@ -118,7 +118,7 @@ def flow_into(record: Hydraulic, pressure: float, opening: float) -> float:
 
 
 def supply_power(record: Hydraulic, columns: Recorded, speed: Array) -> Array:
-    """Return the supply pressure times what flows out of the supply through both edges [W].
+    """Return the supply pressure times the flow out of the supply through both edges [W].
 
     Args:
         record: with the valve.
