@@ -121,6 +121,7 @@ FIELDS: dict[str, st.SearchStrategy[object]] = {
     "channel": TEXTS,
     "signal": TEXTS,
     "came": st.booleans(),
+    "free_orientation": st.booleans(),
     "text": TEXTS,
     "part": TEXTS,
     "name": TEXTS,

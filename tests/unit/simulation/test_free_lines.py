@@ -55,6 +55,6 @@ def test_cylinders_follow_and_the_report_has_no_error_of_orientation(tmp_path: P
     assert not [one for one in recording.findings if one.is_error]
     path = summarize(recording).path
     assert len(path.moves) == 8
-    assert 1e-4 < path.max_error < 0.05
+    assert 1e-7 < path.max_error < 1e-4  # the arm errs, and its law knows it
     assert all(math.isnan(move.max_angle) for move in path.moves)
     assert path.worst_angle is None
