@@ -8,7 +8,9 @@ import pytest
 
 import ropsim
 from ropsim.controller import law_of
+from ropsim.dynamics import gravity, mass_matrix
 from ropsim.flow import MoveEvent, Recording
+from ropsim.kinematics import forward
 from ropsim.model import Cell, ControllerKind, Payload
 from ropsim.robots import controller_under
 from ropsim.simulation import RunOptions, linear_loop, margins, mounted_load
@@ -100,3 +102,15 @@ def test_the_neutral_code_says_what_the_task_text_says() -> None:
     assert code.duration == pytest.approx(text.duration, abs=ROOM)
     assert ends(code) == pytest.approx(ends(text), abs=ROOM)
     assert code.channels["q_ref"].values == pytest.approx(text.channels["q_ref"].values, abs=1e-6)
+
+
+def test_the_neutral_model_is_that_of_the_robot_file() -> None:
+    """Placements of a robot file come from its table; those of the model are as written, to rounding."""
+    own = cell().first.robot
+    neutral = ropsim.load_robot(EXAMPLE / "robots" / "two_link_hydraulic.stp")
+    assert neutral.drives == own.drives
+    assert [link.mass for link in neutral.links] == [link.mass for link in own.links]
+    for q in np.radians([[45.0, -132.5], [24.5, -67.0], [81.5, -130.5]]):
+        assert forward(neutral, q).matrix() == pytest.approx(forward(own, q).matrix(), abs=1e-12)
+        assert gravity(neutral, q) == pytest.approx(gravity(own, q), rel=1e-12)
+        assert mass_matrix(neutral, q) == pytest.approx(mass_matrix(own, q), rel=1e-12)
