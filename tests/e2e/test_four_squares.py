@@ -70,6 +70,7 @@ def test_parallel_pi_loops_err_by_5_to_9_mm_and_most_where_the_arm_is_far_out() 
         assert 5.0 < one.tracking_max / one.path_max < 9.0
 
 
+@pytest.mark.slow
 def test_with_a_wrong_model_the_other_law_has_a_quarter_of_that_at_each_place() -> None:
     better = contours(run(ControllerKind.FLOW_LOAD_DAMPING, wrong=True))
     for one, baseline in zip(better, contours(run(ControllerKind.PARALLEL_PI)), strict=True):
@@ -77,6 +78,7 @@ def test_with_a_wrong_model_the_other_law_has_a_quarter_of_that_at_each_place() 
         assert one.tracking_end < 1e-3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", [ControllerKind.FLOW_LOAD_DAMPING, ControllerKind.PARALLEL_PI])
 def test_loops_have_their_margins_at_all_corners(kind: ControllerKind) -> None:
     robot, own = cell().first.robot, cell().first.controller
@@ -96,6 +98,7 @@ def ends(recording: Recording) -> Array:
     return np.array([move.target for move in recording.events_of(MoveEvent) if move.target])
 
 
+@pytest.mark.slow
 def test_the_neutral_code_says_what_the_task_text_says() -> None:
     """Lengths of the text are millimetres, so they may differ in the last bit."""
     text, code = (project().simulate(name) for name in ("main", "squares"))

@@ -113,7 +113,9 @@ KINDS = [a_spline, a_chain, a_mixed_chain]
 
 @pytest.mark.parametrize("seed", FAST)
 @pytest.mark.parametrize("make", KINDS)
-@pytest.mark.parametrize("name", ARMS)
+@pytest.mark.parametrize(
+    "name", ["irb120", *(pytest.param(one, marks=pytest.mark.slow) for one in ARMS if one != "irb120")]
+)
 def test_a_higher_speed_makes_no_motion_slower(
     seed: int, make: Callable[[np.random.Generator, str], tuple[Array, Moves]], name: str
 ) -> None:

@@ -12,7 +12,7 @@ from support.short_lines import chain_with_limits, distances, flown, positions_o
 CHAIN = chain_with_limits("irb120")
 BOX = np.array((0.070, 0.250, 0.120))
 """Half the size of a box round (400, 0, 450) mm that an IRB 120 reaches with the tool down [m]."""
-FAST, SLOW = range(12), range(12, 132)
+FAST, SLOW = range(4), range(4, 132)
 
 
 def random_chain(seed: int) -> tuple[Array, float, float]:

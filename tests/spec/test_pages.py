@@ -31,7 +31,9 @@ EXTENDING = [page for page in TRIED if page.stem.startswith("extend-")]
 SOURCE = DOCS.parent / "src" / "ropsim"
 SILENCED = " > /dev/null"
 """Behind a command whose findings matter and not its results."""
-PROGRESS = re.compile(r" *\d+%  |\w.*: .*  \(\d+ s\)$")
+LONG = {"calibrate-from-a-trace"}
+"""Pages that take some dozen seconds."""
+PROGRESS = re.compile(r" *\d+%  |\w.*: .*  \((?:\d+ s|\d+:\d\d min)\)$")
 """A line that a command shows when its work takes longer than a second: on a busy machine."""
 NAMED = re.compile(r"# (error|warning|hint): ([A-Z]\d{3})$")
 
@@ -40,9 +42,13 @@ def test_every_page_is_carried_out_but_for_those_that_the_list_of_pages_names() 
     assert {page.stem for page in PAGES} - {page.stem for page in TRIED} == READ
 
 
-@pytest.mark.parametrize(
-    "page", [page for page in TRIED if page not in EXTENDING], ids=lambda page: page.stem
-)
+def cases(pages: list[Path]) -> list[object]:
+    """Return pages as cases of a test; the long ones are slow."""
+    marks = {True: [pytest.mark.slow], False: []}
+    return [pytest.param(page, id=page.stem, marks=marks[page.stem in LONG]) for page in pages]
+
+
+@pytest.mark.parametrize("page", cases([page for page in TRIED if page not in EXTENDING]))
 def test_a_page_does_what_it_says(
     page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
