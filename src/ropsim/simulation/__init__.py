@@ -20,9 +20,9 @@ from ropsim.simulation.response.margins import is_stable as is_stable
 from ropsim.simulation.response.margins import margins as margins
 from ropsim.simulation.response.margins import margins_of_all as margins_of_all
 from ropsim.simulation.response.margins import natural_modes as natural_modes
+from ropsim.simulation.response.margins import plant_modes as plant_modes
 from ropsim.simulation.response.oil_spring import OilSpring as OilSpring
 from ropsim.simulation.response.oil_spring import oil_springs as oil_springs
-from ropsim.simulation.response.oil_spring import plant_modes as plant_modes
 from ropsim.simulation.response.places import PlaceGrid as PlaceGrid
 from ropsim.simulation.response.places import place_grid as place_grid
 from ropsim.simulation.response.time_response import StepFigures as StepFigures

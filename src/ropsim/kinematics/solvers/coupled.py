@@ -13,7 +13,8 @@ import numpy as np
 
 from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays, on_step
 from ropsim.kinematics.solutions.result import Posture, Shortfall
-from ropsim.kinematics.solutions.solver import InverseSolver, Method, Snap
+from ropsim.kinematics.solutions.solver import InverseSolver
+from ropsim.kinematics.solvers.plain_arm import PlainArmSolver
 from ropsim.model import Joint, Link, RobotModel, joint_tree
 from ropsim.spatial import Array, frozen, record
 
@@ -23,7 +24,7 @@ TURN = 2.0 * np.pi
 
 
 @record
-class CoupledSolver:
+class CoupledSolver(PlainArmSolver):
     """Inverse kinematics of an arm with couplings, in the coordinates of its axes.
 
     Attributes:
@@ -35,36 +36,6 @@ class CoupledSolver:
     plain: InverseSolver
     chain: ChainArrays
     back: Array
-
-    @property
-    def name(self) -> str:
-        """Return the class of the plain arm."""
-        return self.plain.name
-
-    @property
-    def method(self) -> Method:
-        """Return how the plain arm is solved."""
-        return self.plain.method
-
-    @property
-    def parts(self) -> tuple[str, ...]:
-        """Return the subject of each word of a posture."""
-        return self.plain.parts
-
-    @property
-    def postures(self) -> tuple[Posture, ...]:
-        """Return the names of the branches, the names of the plain arm."""
-        return self.plain.postures
-
-    @property
-    def snapped_by(self) -> Snap:
-        """Return how far the plain arm is from its class."""
-        return self.plain.snapped_by
-
-    @property
-    def slack(self) -> float:
-        """Return the largest sum of errors of an answer [m, entries of the rotation matrix]."""
-        return self.plain.slack
 
     def joints(self, q: Array) -> Array:
         """Return coordinates of the joints [rad | m], shape (n,), from coordinates of the axes, (n,)."""

@@ -17,7 +17,8 @@ from ropsim.kinematics.chain.closed_motion import joint_motion
 from ropsim.kinematics.chain.closure import closed_states, states_along
 from ropsim.kinematics.solutions.polish import checked
 from ropsim.kinematics.solutions.result import IkStatus, Miss, Posture, Shortfall
-from ropsim.kinematics.solutions.solver import InverseSolver, Method, Snap
+from ropsim.kinematics.solutions.solver import InverseSolver
+from ropsim.kinematics.solvers.plain_arm import PlainArmSolver
 from ropsim.model import (
     Joint,
     JointTree,
@@ -51,7 +52,7 @@ class Switched:
 
 
 @record
-class LoopedSolver:
+class LoopedSolver(PlainArmSolver):
     """Inverse kinematics of an arm with closed chains, in the coordinates of its axes.
 
     Attributes:
@@ -63,36 +64,6 @@ class LoopedSolver:
     plain: InverseSolver
     arrays: ClosedArrays
     switched: Switched
-
-    @property
-    def name(self) -> str:
-        """Return the class of the plain arm."""
-        return self.plain.name
-
-    @property
-    def method(self) -> Method:
-        """Return how the plain arm is solved."""
-        return self.plain.method
-
-    @property
-    def parts(self) -> tuple[str, ...]:
-        """Return the subject of each word of a posture."""
-        return self.plain.parts
-
-    @property
-    def postures(self) -> tuple[Posture, ...]:
-        """Return the names of the branches, the names of the plain arm."""
-        return self.plain.postures
-
-    @property
-    def snapped_by(self) -> Snap:
-        """Return how far the plain arm is from its class."""
-        return self.plain.snapped_by
-
-    @property
-    def slack(self) -> float:
-        """Return the largest sum of errors of an answer [m, entries of the rotation matrix]."""
-        return self.plain.slack
 
     def joints(self, q: Array) -> Array:
         """Return coordinates of the joints on the way [rad | m], shape (n,), from those of the axes (n,)."""

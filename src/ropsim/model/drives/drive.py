@@ -173,6 +173,11 @@ class Drive:
         gear = self.transmission
         return gear.ratio_at(q) if isinstance(gear, Linkage) else gear.ratio
 
+    def shaft_at(self, q: float) -> float:
+        """Return the angle of the shaft, or by how much the rod is out, where the joint is at q [rad | m]."""
+        gear = self.transmission
+        return gear.out_at(q) if isinstance(gear, Linkage) else gear.ratio * q
+
     @property
     def sense(self) -> float:
         """Return the sign of G, 1.0 or -1.0, which is the same in all of the range of the joint."""

@@ -52,6 +52,11 @@ class HydraulicMotor:
     null_flow: float = 0.0
     overlap: float = 0.0
 
+    def oil_stiffness(self, place: float) -> float:
+        """Return the stiffness of the oil in both chambers [N·m/rad | N/m], the same at each place."""
+        del place
+        return 2.0 * self.bulk_modulus / self.chamber_volume * self.displacement**2
+
 
 @frozen_dataclass
 class HydraulicCylinder:
@@ -111,6 +116,11 @@ class HydraulicCylinder:
         """Return the volumes of both chambers [m³] where the rod is out by `out` [m]."""
         return self.dead_volume_a + self.area_a * out, self.dead_volume_b + self.area_b * (self.stroke - out)
 
+    def oil_stiffness(self, out: float) -> float:
+        """Return the stiffness of the oil in both chambers [N/m] where the rod is out [m], or at its end."""
+        a, b = self.volumes(min(max(out, 0.0), self.stroke))
+        return self.bulk_modulus * (self.area_a**2 / a + self.area_b**2 / b)
+
 
 @frozen_dataclass
 class HydraulicVane:
@@ -165,6 +175,11 @@ class HydraulicVane:
             self.dead_volume + self.displacement * turned,
             self.dead_volume + self.displacement * (self.swing - turned),
         )
+
+    def oil_stiffness(self, angle: float) -> float:
+        """Return the stiffness of the oil in both chambers [N·m/rad] at an angle of the shaft [rad]."""
+        a, b = self.volumes(angle)
+        return self.bulk_modulus * (1.0 / a + 1.0 / b) * self.displacement**2
 
     def fits(self, ratio: float, lower: float, upper: float) -> bool:
         """Return whether it turns a joint behind a gear from one coordinate to another [rad | m]."""

@@ -22,7 +22,6 @@ from ropsim.model import (
     Hydraulic,
     HydraulicCylinder,
     HydraulicMotor,
-    HydraulicVane,
     Linkage,
     Mechanism,
     Rates,
@@ -74,20 +73,16 @@ def hydraulic_crossover(robot: Mechanism, rates: Rates) -> float:
 
 def _oil(drive: Drive, q: float) -> tuple[float, float]:
     """Return the spring of the oil at the joint [N·m/rad | N/m] and the rate at which it leaks away [1/s]."""
-    motor, gear = drive.motor, drive.transmission
-    if isinstance(motor, HydraulicCylinder) and isinstance(gear, Linkage):
-        a, b = motor.volumes(min(max(gear.out_at(q), 0.0), motor.stroke))
-        spring = motor.bulk_modulus * (motor.area_a**2 / a + motor.area_b**2 / b)
-        leak = motor.bulk_modulus * _leakage(motor) * (1.0 / a + 1.0 / b)
-    elif isinstance(motor, HydraulicVane):
-        a, b = motor.volumes(drive.ratio_at(q) * q)
-        oil = motor.bulk_modulus * (1.0 / a + 1.0 / b)
-        spring, leak = oil * motor.displacement**2, oil * _leakage(motor)
+    motor, place = drive.motor, drive.shaft_at(q)
+    assert isinstance(motor, Hydraulic)
+    if isinstance(motor, HydraulicMotor):
+        softness = 2.0 / motor.chamber_volume
     else:
-        assert isinstance(motor, HydraulicMotor)
-        oil = 2.0 * motor.bulk_modulus / motor.chamber_volume
-        spring, leak = oil * motor.displacement**2, oil * _leakage(motor)
-    return spring * drive.ratio_at(q) ** 2, leak
+        within = min(max(place, 0.0), motor.stroke) if isinstance(motor, HydraulicCylinder) else place
+        a, b = motor.volumes(within)
+        softness = 1.0 / a + 1.0 / b
+    leak = motor.bulk_modulus * _leakage(motor) * softness
+    return motor.oil_stiffness(place) * drive.ratio_at(q) ** 2, leak
 
 
 def _leakage(motor: Hydraulic) -> float:

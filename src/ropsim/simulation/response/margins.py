@@ -87,8 +87,18 @@ class FrequencyResponse:
 
 def natural_modes(loop: LinearLoop) -> tuple[Array, Array]:
     """Return frequencies [Hz] and damping ratios of the closed loop that oscillate, the slowest first."""
-    poles = np.linalg.eigvals(loop.closed()[0])
-    rates = np.log(poles[(np.abs(poles) > 0.0) & (poles.imag > 0.0)]) / loop.period
+    return _modes(loop.closed()[0], loop.period)
+
+
+def plant_modes(loop: LinearLoop) -> tuple[Array, Array]:
+    """Return frequencies [Hz] and damping ratios at which an arm and its drives swing without a law."""
+    return _modes(loop.F, loop.period)
+
+
+def _modes(A: Array, period: float) -> tuple[Array, Array]:
+    """Return frequencies and damping ratios of x⁺ = A·x that oscillate, the slowest first."""
+    poles = np.linalg.eigvals(A)
+    rates = np.log(poles[(np.abs(poles) > 0.0) & (poles.imag > 0.0)]) / period
     rates = rates[np.argsort(np.abs(rates))]
     return frozen(np.abs(rates) / (2.0 * pi)), frozen(-rates.real / np.abs(rates))
 

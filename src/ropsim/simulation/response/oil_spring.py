@@ -9,10 +9,9 @@ from math import pi, sqrt
 import numpy as np
 
 from ropsim.dynamics import gravity, mass_matrix, steady_drive
-from ropsim.model import Drive, Hydraulic, HydraulicCylinder, HydraulicMotor, Linkage, Payload, RobotModel
-from ropsim.simulation.response.linear_loop import LinearLoop
+from ropsim.model import Drive, Hydraulic, Payload, RobotModel
 from ropsim.simulation.servo.held_state import without_dead_zones
-from ropsim.spatial import Array, frozen, record
+from ropsim.spatial import Array, record
 
 _SLOW = 0.01
 """Share of the speed limit of a joint at which the opening of its valve is looked at."""
@@ -58,7 +57,7 @@ def oil_springs(robot: RobotModel, q: Array, payload: Payload) -> tuple[OilSprin
     found = []
     for axis in hydraulic:
         drive, place = arm.drives[axis], float(q[axis])
-        lever, stiffness = abs(drive.ratio_at(place)), _stiffness(drive, place)
+        lever, stiffness = abs(drive.ratio_at(place)), _motor(drive).oil_stiffness(drive.shaft_at(place))
         mass = float(masses[axis]) / lever**2 if lever else np.inf
         speed = _SLOW * float(arm.max_speeds[axis])
         effort = float(efforts[axis])
@@ -73,31 +72,6 @@ def oil_springs(robot: RobotModel, q: Array, payload: Payload) -> tuple[OilSprin
     return tuple(found)
 
 
-def plant_modes(loop: LinearLoop) -> tuple[Array, Array]:
-    """Return frequencies [Hz] and damping ratios at which an arm and its drives swing without a law.
-
-    Args:
-        loop: about a rest; its law has no part in it.
-    """
-    poles = np.linalg.eigvals(loop.F)
-    rates = np.log(poles[(np.abs(poles) > 0.0) & (poles.imag > 0.0)]) / loop.period
-    rates = rates[np.argsort(np.abs(rates))]
-    return frozen(np.abs(rates) / (2.0 * pi)), frozen(-rates.real / np.abs(rates))
-
-
 def _motor(drive: Drive) -> Hydraulic:
     assert isinstance(drive.motor, Hydraulic)
     return drive.motor
-
-
-def _stiffness(drive: Drive, q: float) -> float:
-    """Return β·(A_a²/V_a + A_b²/V_b)."""
-    motor, gear = _motor(drive), drive.transmission
-    if isinstance(motor, HydraulicMotor):
-        return 2.0 * motor.bulk_modulus * motor.displacement**2 / motor.chamber_volume
-    if isinstance(motor, HydraulicCylinder):
-        out = gear.out_at(q) if isinstance(gear, Linkage) else drive.ratio_at(q) * q
-        a, b = motor.volumes(min(max(out, 0.0), motor.stroke))
-        return motor.bulk_modulus * (motor.area_a**2 / a + motor.area_b**2 / b)
-    a, b = motor.volumes(drive.ratio_at(q) * q)
-    return motor.bulk_modulus * motor.displacement**2 * (1.0 / a + 1.0 / b)

@@ -171,7 +171,9 @@ def test_places_are_left_out_where_the_drives_do_not_hold_the_load() -> None:
     """Stretched, or folded with the load beside the first axis."""
     robot = robots.load("two_link")
     model, grid = robots.default_controller("two_link"), place_grid(robot)
-    limit = float(robot.drives[0].amplifier.max_effort)  # type: ignore[union-attr]
+    amplifier = robot.drives[0].amplifier
+    assert isinstance(amplifier, EffortAmplifier)
+    limit = float(amplifier.max_effort)
     heavy = cube_of_water(limit / 9.81 / 1.5)
     checks = check_places(robot, model, grid, (Payload(), heavy))
     held = {one.place for one in checks if one.load == 1}
