@@ -40,8 +40,10 @@ from ropsim.controller.motion_clock import undisturbed as undisturbed
 from ropsim.controller.rehearsal import failed as failed
 from ropsim.controller.rehearsal import rehearse as rehearse
 from ropsim.controller.rehearsal import stopped as stopped
-from ropsim.controller.sensor_interface import CellSensors as CellSensors
-from ropsim.controller.sensor_interface import with_change as with_change
+from ropsim.controller.sensing.sensor_errors import NOISE as NOISE
+from ropsim.controller.sensing.sensor_errors import noise as noise
+from ropsim.controller.sensing.sensor_interface import CellSensors as CellSensors
+from ropsim.controller.sensing.sensor_interface import with_change as with_change
 from ropsim.controller.shifted_joints import braked as braked
 from ropsim.controller.shifted_joints import is_within_limits as is_within_limits
 from ropsim.controller.shifted_joints import shifted_reference as shifted_reference

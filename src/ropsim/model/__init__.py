@@ -44,10 +44,15 @@ from ropsim.model.cell.frame import still_frames as still_frames
 from ropsim.model.cell.part import PART_COLOUR as PART_COLOUR
 from ropsim.model.cell.part import Destination as Destination
 from ropsim.model.cell.part import Part as Part
+from ropsim.model.cell.signal import EXACT as EXACT
 from ropsim.model.cell.signal import DistanceSensor as DistanceSensor
 from ropsim.model.cell.signal import ForceSensor as ForceSensor
+from ropsim.model.cell.signal import ForceTorqueSensor as ForceTorqueSensor
 from ropsim.model.cell.signal import Sensor as Sensor
+from ropsim.model.cell.signal import SensorErrors as SensorErrors
 from ropsim.model.cell.signal import Signal as Signal
+from ropsim.model.cell.signal import WrenchAxis as WrenchAxis
+from ropsim.model.cell.signal import WrenchFrame as WrenchFrame
 from ropsim.model.cell.station import Station as Station
 from ropsim.model.cell.surroundings import FixedObject as FixedObject
 from ropsim.model.cell.surroundings import Sink as Sink

@@ -43,6 +43,7 @@ from ropsim.planning.records.planned_path import MoveLimits as MoveLimits
 from ropsim.planning.records.planned_path import PlannedPath as PlannedPath
 from ropsim.planning.records.sensed_cell import ArmState as ArmState
 from ropsim.planning.records.sensed_cell import NothingSensed as NothingSensed
+from ropsim.planning.records.sensed_cell import SensedBefore as SensedBefore
 from ropsim.planning.records.sensed_cell import SensedCell as SensedCell
 from ropsim.planning.records.trigger_ticks import PlannedTrigger as PlannedTrigger
 from ropsim.planning.records.work_frames import WorkFrames as WorkFrames

@@ -59,8 +59,7 @@ def run(cell: Cell, programs: Mapping[str, Program], options: RunOptions) -> Rec
         find_pulls(state, least, programs)
         if least != forgotten:
             forgotten = least
-            for at in state.stations.values():
-                at.forget(least)
+            state.forget(least)
         _work_on(state, name, programs)
         if name in state.at_work:
             state.watch.advanced(state)

@@ -57,7 +57,12 @@ MECHANISM, DEVICE = listed("| key of `mechanism`"), listed("## `[devices.")
 CONVEYOR = DEVICE | listed("**`conveyor`**")
 MOVED = DEVICE | listed("**`slide`**") | LOOK
 TOOL, SHAPES, SIGNAL = listed("## `[tools."), listed("### Shapes"), listed("## `[signals.")
-PARTS, DESTINATIONS, SENSOR = listed("## `[[parts]]`"), listed("### Destinations"), listed("A sensor is at")
+PARTS, DESTINATIONS, SENSOR = (
+    listed("## `[[parts]]`"),
+    listed("### Destinations"),
+    listed("### Sensors at tools"),
+)
+SENSOR_ERRORS = listed("| key of an error")
 
 SENSORS = behind("### Sensors of the joint controller").partition("\n### ")[0]
 ENTITIES = behind("### Entities from modules of the project").partition("\n## ")[0]
@@ -137,8 +142,9 @@ EXPLAINED = [
         for shape in ("cylinder", "capsule", "sphere", "prism", "circle", "arc")
     ),
     (f"{ARM}[signals.a]\ninput = 1\n?", SIGNAL),
-    (f'{ARM}[signals.a]\ninput = 1\nsensor = {{ kind = "distance", ? }}', SENSOR),
-    (f'{ARM}[signals.a]\ninput = 1\nsensor = {{ kind = "force", ? }}', SENSOR),
+    (f'{ARM}[signals.a]\ninput = 1\nsensor = {{ kind = "distance", ? }}', SENSOR | SENSOR_ERRORS),
+    (f'{ARM}[signals.a]\ninput = 1\nsensor = {{ kind = "force", ? }}', SENSOR | SENSOR_ERRORS),
+    (f'{ARM}[signals.a]\ninput = 1\nsensor = {{ kind = "force torque", ? }}', SENSOR | SENSOR_ERRORS),
     (f"{ARM}[classic]\n?", told("How task files of the classic form")),
 ]
 

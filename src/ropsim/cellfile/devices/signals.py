@@ -1,54 +1,18 @@
-"""Signals of a cell, and sensors that drive them."""
+"""Signals of a cell."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 from ropsim.cellfile import diagnostics as kinds
-from ropsim.model import DistanceSensor, ForceSensor, Sensor, Signal
-from ropsim.tomltext import CONFLICTING_KEYS, NUMBER, TIME, Quantity, TomlTable, Units, read_kind
-
-_STIFFNESS = Quantity("N/mm", 1e3, 1.0, 1e9)
-_RANGE = 0.2  # [m], a triangulating laser of the middle class
-_STIFF = 2e4  # [N/m], a rubber-tipped probe
-_TRAVEL = 0.01  # [m]
-
-
-def read_sensor(table: TomlTable, stations: Mapping[str, object], units: Units) -> Sensor | None:
-    """Return the sensor of a signal; None if its kind is missing or unknown (noted).
-
-    Args:
-        table: `sensor` of the signal.
-        stations: of the cell, by name.
-        units: of the file.
-    """
-    kind = read_kind(table, tuple(KINDS))
-    if not kind:
-        return None
-    station = table.reference("station", stations, "station")
-    sensor = KINDS[kind](table, station, units)
-    table.finish()
-    return sensor
-
-
-def _distance(table: TomlTable, station: str, units: Units) -> Sensor:
-    behind = table.number("behind", units.position.within(0.0, 10.0), 0.0)
-    return DistanceSensor(station, table.number("range", units.extent, _RANGE), behind)
-
-
-def _force(table: TomlTable, station: str, units: Units) -> Sensor:
-    stiffness = table.number("stiffness", _STIFFNESS, _STIFF)
-    return ForceSensor(station, stiffness, table.number("travel", units.extent, _TRAVEL))
-
-
-KINDS: dict[str, Callable[[TomlTable, str, Units], Sensor]] = {"distance": _distance, "force": _force}
-"""Word of the file -> reader of the rest of its table."""
-
+from ropsim.cellfile.devices.tool_sensors import read_sensor
+from ropsim.model import Signal, Station
+from ropsim.tomltext import CONFLICTING_KEYS, NUMBER, TIME, Quantity, TomlTable, Units
 
 _SWITCH = Quantity("", 1.0, 0.0, 1.0)
 _MOST_CHANNELS = 65_535
 
 
 def read_signals(
-    tables: Mapping[str, TomlTable], stations: Mapping[str, object], units: Units
+    tables: Mapping[str, TomlTable], stations: Mapping[str, Station | None], units: Units
 ) -> dict[str, Signal]:
     """Return the channels by name.
 
@@ -72,7 +36,7 @@ def read_signals(
     return signals
 
 
-def _signal(name: str, table: TomlTable, stations: Mapping[str, object], units: Units) -> Signal:
+def _signal(name: str, table: TomlTable, stations: Mapping[str, Station | None], units: Units) -> Signal:
     is_input, is_output = "input" in table, "output" in table
     if is_input and is_output:
         message = f"`{name}` is both an input and an output"
@@ -89,7 +53,8 @@ def _signal(name: str, table: TomlTable, stations: Mapping[str, object], units: 
         message = f"`{name}` is an output, only the program changes it"
         hint = "remove `changes`, or make it an input"
         table.findings.add(kinds.CHANGES_OF_OUTPUT, table.key_span("changes"), message, hint)
-    sensor = read_sensor(table.table("sensor"), stations, units) if "sensor" in table else None
+    sort = float if analog else bool
+    sensor = read_sensor(table, stations, units, sort) if "sensor" in table else None
     other = next((key for key in ("output", "changes", "initial") if key in table), "")
     if sensor is not None and other:
         message = f"`{name}` is measured by a sensor, and has `{other}`"

@@ -4,17 +4,15 @@ import math
 
 import numpy as np
 
+from ropsim.cellfile.sensor_keys import read_bits, read_timing
 from ropsim.dynamics import chain_of
 from ropsim.model import MEASURED, JointSensor, JointSensors, JointType, RobotModel
 from ropsim.spatial import Array
-from ropsim.tomltext import NUMBER, TIME, Quantity, TomlTable, Units
+from ropsim.tomltext import NUMBER, Quantity, TomlTable, Units
 
 _OF_JOINTS = ("q", "qd", "tau")
-_MOST_BITS = 52
 _MOST_SEED = 1_000_000_000
 _NUMBER = NUMBER.within(0.0, 1e12)
-_RATE = Quantity("Hz", 1.0, 1.0, 1e6)
-_DELAY = TIME.within(0.0, 1.0)
 _TURN = 2.0 * math.pi
 
 
@@ -54,7 +52,7 @@ def _is_there(model: RobotModel, rows: tuple[str, ...]) -> bool:
 def _sensor(table: TomlTable, quantity: str, model: RobotModel, units: Units) -> JointSensor:
     of_axes = [_quantity(quantity, joint.measure, units) for joint in model.axis_joints]
     step, noise = (_each(table, key, of_axes) for key in ("step", "noise"))
-    bits = table.integer("bits", 1, _MOST_BITS, 0)
+    bits = read_bits(table)
     turns = quantity in {"coordinate", "motor_coordinate"}
     reach = _each(table, "range", of_axes)
     if turns:
@@ -64,10 +62,9 @@ def _sensor(table: TomlTable, quantity: str, model: RobotModel, units: Units) ->
         table.require("range")
     if bits and "step" not in table:
         step = reach / 2.0**bits
-    rate = table.number("rate", _RATE, 0.0)
-    delay = table.number("delay", _DELAY, 0.0)
+    timing = read_timing(table)
     table.finish()
-    return JointSensor(quantity, step, noise, 1.0 / rate if rate else 0.0, delay)
+    return JointSensor(quantity, step, noise, timing.period, timing.delay)
 
 
 def _quantity(name: str, measure: JointType, units: Units) -> Quantity:

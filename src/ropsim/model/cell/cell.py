@@ -159,4 +159,5 @@ def _numbered(cell: Cell) -> dict[str, Ranged]:
         found[f"signals.{name}."] = signal
         if signal.sensor:
             found[f"signals.{name}.sensor."] = signal.sensor
+            found[f"signals.{name}.sensor.errors."] = signal.sensor.errors
     return found

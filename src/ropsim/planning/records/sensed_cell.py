@@ -1,9 +1,13 @@
 """Surroundings of sensors in a cell: the state of its arms, and the surfaces around them."""
 
+from dataclasses import field
 from typing import Protocol
 
+import numpy as np
+
+from ropsim.core import frozen_dataclass
 from ropsim.model import Payload, RobotModel
-from ropsim.spatial import Array, Pose, record
+from ropsim.spatial import Array, Pose, frozen, record
 
 
 @record
@@ -20,6 +24,11 @@ class ArmState:
         effort: torques of the drives at the joints, from the currents of the motors [N·m | N], shape (n,); 0
             in a section without dynamics.
         X_WT: pose of the tool in force in the world.
+        wrench: what the environment exerted on tool and held part over the last control tick: force [N] and
+            moment [N·m] about the origin of the mechanical interface, in the world frame, shape (6,); zeros
+            without a contact that the cell declares. In kinematic runs it comes from the same geometry, and
+            moves nothing.
+        X_WM: pose of the mechanical interface in the world.
     """
 
     station: str
@@ -30,6 +39,26 @@ class ArmState:
     qd: Array
     effort: Array
     X_WT: Pose
+    wrench: Array = field(default_factory=lambda: frozen([0.0] * 6))
+    X_WM: Pose = field(default_factory=Pose)
+
+
+@frozen_dataclass
+class SensedBefore:
+    """The cell at the time at which a sensor took its sample.
+
+    Attributes:
+        cell: as it was then.
+        tick: control tick of the station of the sensor, which numbers the sample; negative before the run
+            began, when the arm stood where it starts.
+        age: of the sample [s].
+        seed: of the noise of sensors in this run.
+    """
+
+    cell: "SensedCell"
+    tick: int
+    age: float
+    seed: int
 
 
 class SensedCell(Protocol):
@@ -56,6 +85,26 @@ class SensedCell(Protocol):
         """
         ...
 
+    def load(self, station: str = "") -> Array:
+        """Return the wrench that an arm exerts on its tool and part to carry and accelerate them, shape (6,).
+
+        Force [N] and moment [N·m] about the origin of the mechanical interface, in the world frame.
+
+        Args:
+            station: of the arm; the empty name is that of the arm that reads.
+        """
+        ...
+
+    def before(self, station: str, period: float, delay: float) -> SensedBefore:
+        """Return the cell as a sensor saw it that takes a sample at every period and tells it after a delay.
+
+        Args:
+            station: of the sensor; the empty name is that of the arm that reads.
+            period: between two samples [s]; 0 for each control tick of the station.
+            delay: [s].
+        """
+        ...
+
 
 class NothingSensed:
     """The cell of channels that are read without a run: it has no arms, and nothing stands around."""
@@ -68,3 +117,13 @@ class NothingSensed:
         """Return infinity."""
         del X_WS, most, station
         return float("inf")
+
+    def load(self, station: str = "") -> Array:
+        """Return zeros."""
+        del station
+        return np.zeros(6)
+
+    def before(self, station: str, period: float, delay: float) -> SensedBefore:
+        """Return that nothing is sensed."""
+        del station, period
+        return SensedBefore(self, 0, delay, 0)

@@ -1,9 +1,4 @@
-"""The sensors of a joint controller in a slice: what a law gets of true values.
-
-Noise is a function of seed, sensor and control tick, so that it does not depend on slices, and nothing of it
-is a state: a hash of these whole numbers, twelve of which make one number that is nearly normal, of variance
-1 and within ±6 (sum of uniform numbers).
-"""
+"""The sensors of a joint controller in a slice: what a law gets of true values."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -11,7 +6,7 @@ from functools import lru_cache
 import numpy as np
 
 from ropsim.codegen import Engine, SourceFunction, load
-from ropsim.controller import CompiledLaw
+from ropsim.controller import NOISE, CompiledLaw
 from ropsim.core import frozen_dataclass
 from ropsim.model import MEASURED, ControllerModel, JointSensor
 from ropsim.spatial import Array
@@ -20,18 +15,6 @@ _MEASURED_ROWS = ("q", "qd", "tau")
 _FIRST = 4
 """Row of a frame from which on states of drives stand; before them are the measurement and the output."""
 _MOST_TICKS = 10_000
-
-_NOISE = """\
-def noise(seed, channel, tick):
-    total = -6.0
-    for k in range(12):
-        x = (tick * 374761393 + (channel * 12 + k) * 668265263 + seed * 974634257) & 0x7FFFFFFF
-        x = ((x ^ (x >> 15)) * 0x2C1B3C6D) & 0x7FFFFFFF
-        x = ((x ^ (x >> 12)) * 0x297A2D39) & 0x7FFFFFFF
-        x = ((x ^ (x >> 15)) * 0x1B56C4E9) & 0x7FFFFFFF
-        total += ((x ^ (x >> 13)) + 0.5) / 2147483648.0
-    return total
-"""
 
 
 @frozen_dataclass
@@ -78,7 +61,7 @@ class Sensing:
             return ()
         text = _text(self.channels)
         return (
-            SourceFunction("noise", "f8(i8, i8, i8)", _NOISE),
+            NOISE,
             SourceFunction("measure", "void(f8[:,::1], f8[:,::1], f8[:,::1], i8)", text),
         )
 

@@ -21,6 +21,7 @@ from ropsim.simulation.records.polling_wait import PollingWait
 from ropsim.simulation.records.track import Track
 from ropsim.simulation.state.clasp import Clasp
 from ropsim.simulation.state.inputs import signal_track
+from ropsim.simulation.state.past_values import PastValues
 from ropsim.simulation.state.reported import ReportedOnce
 from ropsim.simulation.state.station_run import StationRun
 from ropsim.simulation.state.watch import NobodyWatches, Watch
@@ -58,6 +59,7 @@ class CellRun:
         override_read: the last tick for which the override was requested.
         inputs: changes of inputs that are not from the cell.
         supplies: of each supply the part that has come last, and the parts still to come.
+        seated: where the parts were in the immediate past, over ticks of the cell's clock.
         clasps: grippers that are closed on a part which hangs on another one, by the body of the tool.
     """
 
@@ -88,6 +90,10 @@ class CellRun:
     inputs: list[InputChange] = field(default_factory=list)
     supplies: Mapping[str, deque[Part]] = field(default_factory=dict)
     clasps: dict[str, Clasp] = field(default_factory=dict)
+    seated: PastValues[Placements] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.seated = PastValues(self.parts)
 
     @property
     def tick(self) -> int:
@@ -104,6 +110,12 @@ class CellRun:
     def time(self) -> float:
         """Return the simulated time up to which all stations have come [s]."""
         return self.tick / self.hz
+
+    def forget(self, tick: int) -> None:
+        """Drop the past before a tick of the cell's clock, less the memory of sensors."""
+        for at in self.stations.values():
+            at.forget(tick)
+        self.seated.forget(tick - max(at.memory * at.cell_ticks for at in self.stations.values()))
 
     def next_device(self, until: int) -> DeviceRun | None:
         """Return the device that acts next and not after a tick, None where none does."""
@@ -132,8 +144,7 @@ class CellRun:
         """Let the payload of a station be the present load of its tools, after a grasp or a release."""
         load = payload(self.parts.carried(at.hands), self.scenery.parts, at.tool)
         if load != at.payload:
-            at.payload = load
-            at.track("payload", load.mass)
+            at.weigh(load)
 
     def place(self, parts: Placements, due: int) -> None:
         """Let the parts be where `parts` says from a tick of the cell's clock on; devices check them."""
@@ -141,6 +152,7 @@ class CellRun:
             return
         self.placements += changes(due / self.hz, self.parts, parts, self.scenery.objects)
         self.parts = parts
+        self.seated.set(due, parts)
         for at in self.stations.values():
             self._weigh(at)
         for device in self.devices.values():

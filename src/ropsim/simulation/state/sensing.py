@@ -6,7 +6,17 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from ropsim.kinematics import Blocks, forward, nearest_along, part_blocks, stacked
-from ropsim.planning import ENTITY_FAILS, ArmState, Sample, SensorInterface, entity_fails, is_our_own, raised
+from ropsim.planning import (
+    ENTITY_FAILS,
+    ArmState,
+    Sample,
+    SensedBefore,
+    SensorInterface,
+    entity_fails,
+    is_our_own,
+    raised,
+)
+from ropsim.simulation.state.carried_load import carried_load
 from ropsim.simulation.state.cell_run import CellRun
 from ropsim.simulation.state.station_run import StationRun
 from ropsim.spatial import Array, Pose
@@ -14,16 +24,22 @@ from ropsim.spatial import Array, Pose
 
 @dataclass(slots=True)
 class SensedRun:
-    """The cell at the tick of a station that reads (`ropsim.controller.SensedCell`).
+    """The cell at the tick of a station that reads, or before (`ropsim.controller.SensedCell`).
 
     Attributes:
         run: the cell.
         at: the station that reads; no other one at work is less far.
+        due: tick of the cell's clock, which is kept; None for that of the station.
     """
 
     run: CellRun
     at: StationRun
+    due: int | None = None
     _solids: dict[str, Blocks] = field(default_factory=dict)
+
+    @property
+    def _due(self) -> int:
+        return self.at.due if self.due is None else self.due
 
     def arm(self, station: str = "") -> ArmState:
         """Return an arm; of one that is ahead, or whose program has ended, where it is at this tick.
@@ -33,16 +49,16 @@ class SensedRun:
         """
         name = station or self.at.station.name
         other = self.run.stations[name]
-        robot, payload = other.station.robot, other.payload
-        if other.due <= self.at.due:
+        robot, payload = other.station.robot, other.loads.at(self._due // other.cell_ticks)
+        if other.due <= self._due:
             q, qd, effort, tick = other.plant.q, other.plant.qd, other.plant.effort, float(other.tick)
         else:
-            tick = self.at.due / other.cell_ticks
+            tick = self._due / other.cell_ticks
             row = other.plant.at(tick)
             q, qd, effort = other.plant.q_at(tick), row["qd"], row.get("tau", np.zeros(robot.n))
         X_WM = other.station.X_WB @ forward(robot, q)
         X_WT = X_WM @ other.tool_frames.at(tick + 1)  # from this tick on
-        return ArmState(name, self.at.time, robot, payload, q, qd, effort, X_WT)
+        return ArmState(name, self._due / self.run.hz, robot, payload, q, qd, effort, X_WT, X_WM=X_WM)
 
     def distance(self, X_WS: Pose, most: float, station: str = "") -> float:
         """Return the distance along a z axis to the nearest surface [m], infinite where none is so near."""
@@ -53,12 +69,30 @@ class SensedRun:
         found = min(nearest_along(self._solids[name], X_WS.position, along), _floor(X_WS.position, along))
         return found if found <= most else math.inf
 
+    def load(self, station: str = "") -> Array:
+        """Return the wrench that an arm exerts on its load, from where it was at the last control ticks."""
+        other = self.run.stations[station or self.at.station.name]
+        now, robot, X_WB = self._due // other.cell_ticks, other.station.robot, other.station.X_WB
+        poses = [X_WB @ forward(robot, other.plant.q_at(now - back)) for back in (2, 1, 0)]
+        free_fall = X_WB.rotation() @ robot.gravity
+        return carried_load(other.loads.at(now), poses, other.hz, free_fall)
+
+    def before(self, station: str, period: float, delay: float) -> SensedBefore:
+        """Return the cell at the last sample of a sensor, on a control tick of its station."""
+        run, at = self.run, self.run.stations[station or self.at.station.name]
+        now = self._due // at.cell_ticks
+        tick = now - round(delay * at.hz)
+        tick -= tick % max(1, round(period * at.hz))
+        due = max(tick, 0) * at.cell_ticks
+        earlier = SensedRun(run, self.at, due)
+        return SensedBefore(earlier, tick, (now - tick) / at.hz, at.station.controller.sensors.seed)
+
     def _seen_by(self, name: str) -> Blocks:
         """Return all surfaces except of an arm with its tools and held parts."""
         run = self.run
-        moment, scenery = run.moment(self.at.due), run.scenery
-        hands = run.stations[name].hands
-        free = {part: seat for part, seat in run.parts.seats.items() if seat.rides not in hands}
+        moment, scenery = run.moment(self._due), run.scenery
+        hands, seats = run.stations[name].hands, run.seated.at(self._due).seats
+        free = {part: seat for part, seat in seats.items() if seat.rides not in hands}
         parts = part_blocks((scenery.parts[part], moment.pose(seat)) for part, seat in free.items())
         return stacked([scenery.ground.blocks, moment.solids, parts])
 

@@ -15,6 +15,7 @@ from ropsim.simulation.records.polling import Polled
 from ropsim.simulation.records.polling_wait import PollingWait
 from ropsim.simulation.records.tool_frames import ToolFrames
 from ropsim.simulation.records.track import Track
+from ropsim.simulation.state.past_values import PastValues
 from ropsim.spatial import Array, Pose
 
 _SLICE = 1_000
@@ -36,6 +37,8 @@ class StationRun:
         tool: tool in force.
         tool_frames: X_MT that were in force, also of tools defined only by the program.
         payload: tool and grasped part as one body; the same object until it changes.
+        loads: the payload over control ticks.
+        memory: for how long its past is kept [control ticks].
         last_tick: control tick at which standing still ends at the latest.
         cell_ticks: ticks of the cell's clock in one control tick.
         stride: control ticks that it moves on at a time at the longest.
@@ -70,6 +73,7 @@ class StationRun:
     payload: Payload
     last_tick: int
     cell_ticks: int
+    memory: int = 0
     stride: int = _STRIDE
     tick: int = 0
     moves: list[MoveSpan] = field(default_factory=list)
@@ -89,12 +93,14 @@ class StationRun:
     unfinished: bool = False
     cut_short: bool = False
     is_lost: bool = False
+    loads: PastValues[Payload] = field(init=False)
     hands: frozenset[str] = field(init=False)
     hz: int = field(init=False)
 
     def __post_init__(self) -> None:
         self.hands = frozenset(tool_body(name, self.station.name) for name in self.station.tools)
         self.hz = self.station.controller.rates.control_hz
+        self.loads = PastValues(self.payload)
 
     @property
     def is_over(self) -> bool:
@@ -138,8 +144,16 @@ class StationRun:
         return poses
 
     def forget(self, due: int) -> None:
-        """Drop where the arm was before a tick of the cell's clock."""
-        self.plant.forget(due // self.cell_ticks)
+        """Drop where the arm was before a tick of the cell's clock, less the memory of its sensors."""
+        tick = due // self.cell_ticks - self.memory
+        self.plant.forget(tick)
+        self.loads.forget(tick)
+
+    def weigh(self, load: Payload) -> None:
+        """Let tool and grasped part have another load from now on."""
+        self.payload = load
+        self.loads.set(self.tick, load)
+        self.track("payload", load.mass)
 
     def follow(self, reference: JointReference) -> None:
         """Let the arm follow a reference to its end, which is its command position then."""

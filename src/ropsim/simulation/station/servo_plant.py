@@ -17,6 +17,7 @@ from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.servo import Servo
 from ropsim.simulation.servo.state import ServoState
 from ropsim.simulation.servo.tick_recorder import TickRecorder
+from ropsim.simulation.state.past_values import memory_ticks
 from ropsim.simulation.state.run_options import RunOptions
 from ropsim.spatial import Array
 
@@ -52,7 +53,7 @@ class ServoPlant:
         self._state = self._servo.initial_state(station.q_start, payload)
         record_ticks = options.record_ticks(self._servo.control_hz)
         others = len(cell.stations) + len(cell.devices) > 1
-        kind = TickRecorder if others else Recorder
+        kind = TickRecorder if others or memory_ticks(cell, self._servo.control_hz) else Recorder
         self._recorder = kind(robot, self._state, record_ticks, options.most_rows)
         self._is_lost = False
 

@@ -23,6 +23,7 @@ from ropsim.simulation.servo.checks import check_option, check_time
 from ropsim.simulation.servo.stiffness import steep_findings
 from ropsim.simulation.state.cell_run import CellRun
 from ropsim.simulation.state.inputs import check_interventions, signal_track, usable_inputs, with_inputs
+from ropsim.simulation.state.past_values import memory_ticks
 from ropsim.simulation.state.run_options import RunOptions
 from ropsim.simulation.state.sensing import Senses
 from ropsim.simulation.state.station_run import StationRun
@@ -130,6 +131,7 @@ def _station_run(
         payload=load,
         last_tick=round(options.longest * control_hz),
         cell_ticks=hz // control_hz,
+        memory=memory_ticks(cell, control_hz),
     )
     if options.longest_step is not None:
         at.stride = max(1, round(options.longest_step * control_hz))

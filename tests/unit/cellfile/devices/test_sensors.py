@@ -4,7 +4,15 @@ import pytest
 
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
-from ropsim.model import DistanceSensor, ForceSensor, Sensor
+from ropsim.model import (
+    DistanceSensor,
+    ForceSensor,
+    ForceTorqueSensor,
+    Sensor,
+    SensorErrors,
+    WrenchAxis,
+    WrenchFrame,
+)
 
 HEAD = '[robot]\nmodel = "puma560"\n\n[signals.s]\n'
 
@@ -49,3 +57,47 @@ def test_what_is_not_said_has_a_default() -> None:
 )
 def test_a_sensor_that_cannot_be_is_told(keys: str, code: str) -> None:
     assert code_of(keys) == code
+
+
+def test_errors_have_their_numbers_in_si_units() -> None:
+    given = "range = 200, bits = 12, noise = 0.3, rate = 500, delay = 0.004"
+    force = f'input = 1\nanalog = true\nsensor = {{ kind = "force torque", axis = "z", {given} }}'
+    errors = SensorErrors(400.0 / 2**12, 0.3, 0.002, 0.004, 200.0)
+    assert sensor_of(force) == ForceTorqueSensor("", WrenchAxis.Z, errors=errors)
+    distance = 'input = 1\nanalog = true\nsensor = { kind = "distance", behind = 56, bits = 8, noise = 0.1 }'
+    assert sensor_of(distance) == DistanceSensor("", 0.2, 0.056, SensorErrors(0.256 / 2**8, 1e-4))
+
+
+def test_a_force_torque_sensor_has_axis_and_frame() -> None:
+    keys = 'axis = "rx", frame = "interface", compensated = false'
+    found = sensor_of(f'input = 1\nanalog = true\nsensor = {{ kind = "force torque", {keys} }}')
+    assert found == ForceTorqueSensor("", WrenchAxis.RX, WrenchFrame.INTERFACE, compensated=False)
+    assert (found.measures, found.unit) == ("torque", "Nm")
+
+
+@pytest.mark.parametrize(
+    ("keys", "code", "told"),
+    [
+        ('axis = "w"', "X808", "allowed are `x`, `y`, `z`, `rx`, `ry`, `rz`"),
+        ('axis = "z", frame = "world"', "X808", "allowed are `tool`, `interface`"),
+        ('axis = "z", rate = 1200', "X806", "allowed is 1 to 1000 Hz"),
+        ('axis = "z", noise = -1', "X806", "allowed is 0 to 1e+09 N"),
+        ('axis = "z", delay = 3', "X806", "allowed is 0 to 1 s"),
+        ('axis = "z", bits = 12', "X803", "needs `range`"),
+        ('axis = "z", range = 0', "X806", "allowed is 1e-06"),
+        ('frame = "tool"', "X803", "needs `axis`"),
+    ],
+)
+def test_errors_that_cannot_be_are_told(keys: str, code: str, told: str) -> None:
+    text = f'{HEAD}input = 1\nanalog = true\nsensor = {{ kind = "force torque", {keys} }}'
+    cell, (found,) = read_cell(SourceText("cell.toml", text), "c")
+    assert cell is None
+    assert found.code == code
+    assert told in found.message
+
+
+@pytest.mark.parametrize(
+    "sensor", ['kind = "force torque", axis = "z"', 'kind = "force", noise = 2, stiffness = 20']
+)
+def test_a_switch_has_no_force_and_no_noise(sensor: str) -> None:
+    assert code_of(f"input = 1\nsensor = {{ {sensor} }}") == "X812"

@@ -29,6 +29,7 @@ from ropsim.model import (
     Fingers,
     FixedObject,
     ForceSensor,
+    ForceTorqueSensor,
     Frame,
     Gripper,
     IndexDrive,
@@ -39,6 +40,7 @@ from ropsim.model import (
     PathDefaults,
     Payload,
     Rates,
+    SensorErrors,
     Shape,
     Signal,
     Sink,
@@ -47,6 +49,7 @@ from ropsim.model import (
     SwitchDrive,
     Tool,
     ToolPart,
+    WrenchAxis,
 )
 from ropsim.spatial import Pose, frozen
 
@@ -79,6 +82,7 @@ CELL = Cell(
     signals={
         "there": Signal("there", is_input=True, changes=((1.0, 1.0),), sensor=DistanceSensor("", 0.1)),
         "force": Signal("force", is_input=True, analog=True, sensor=ForceSensor("", 100.0, 0.01)),
+        "push": Signal("push", is_input=True, analog=True, sensor=ForceTorqueSensor("", WrenchAxis.Z)),
         "out": Signal("out", is_input=False),
     },
     external={"P": ExternalValues((0.0,))},
@@ -96,6 +100,7 @@ FROM_ZERO = {
     Cell: ("clearance",),
     DistanceSensor: ("range", "behind"),
     ForceSensor: ("stiffness", "travel"),
+    SensorErrors: ("step", "noise", "period", "delay", "most"),
     Part: ("size",),
     Destination: ("distance", "turn"),
 }

@@ -13,7 +13,7 @@ from ropsim.language.findings import types as kinds
 from ropsim.language.syntax import nodes
 from ropsim.program import Expression, variables_of
 
-_DIMENSIONS = {"length": units.LENGTH, "force": units.FORCE}
+_DIMENSIONS = {"length": units.LENGTH, "force": units.FORCE, "torque": units.TORQUE}
 
 
 def reading(body: Body, signal: str, node: nodes.Node, purpose: str) -> Expression:

@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from ropsim.model import DistanceSensor, ForceSensor, Sensor
+from ropsim.model import DistanceSensor, ForceSensor, ForceTorqueSensor, Sensor, WrenchFrame
 from ropsim.planning import SensedCell
-from ropsim.spatial import Pose
+from ropsim.spatial import Array, Pose, cross
 
 
 def measure(sensor: Sensor, cell: SensedCell) -> float:
-    """Return the present measurement of a sensor: a distance [m] or a force [N].
+    """Return the present measurement of a sensor: a distance [m], a force [N] or a moment [N·m].
 
     Args:
         sensor: at the tool of an arm.
@@ -39,6 +39,28 @@ def _force(sensor: ForceSensor, cell: SensedCell) -> float:
     return sensor.stiffness * max(-_free(sensor.station, sensor.travel, 0.0, cell), 0.0)
 
 
+def _force_torque(sensor: ForceTorqueSensor, cell: SensedCell) -> float:
+    arm = cell.arm(sensor.station)
+    exerted = -arm.wrench
+    if not sensor.compensated:
+        exerted = exerted + cell.load(sensor.station)
+    X_WS = arm.X_WT if sensor.frame is WrenchFrame.TOOL else arm.X_WM
+    return float(wrench_in(exerted, arm.X_WM.position, X_WS)[sensor.axis.number])
+
+
+def wrench_in(wrench: Array, point: Array, X_WS: Pose) -> Array:
+    """Return a wrench in a frame S: along its axes, the moment about its origin; shape (6,).
+
+    Args:
+        wrench: force [N] and moment [N·m] about a point, along the axes of the world, shape (6,).
+        point: that point in the world [m], shape (3,).
+        X_WS: the frame.
+    """
+    force, turn = wrench[:3], X_WS.rotation().T
+    moment = wrench[3:] + cross(point - X_WS.position, force)
+    return np.concatenate((turn @ force, turn @ moment))
+
+
 def _free(station: str, behind: float, most: float, cell: SensedCell) -> float:
     """Return how far the point of a tool is from a surface before it [m]; not less than `-behind`.
 
@@ -53,5 +75,9 @@ def _free(station: str, behind: float, most: float, cell: SensedCell) -> float:
     return found - behind if found < math.inf else math.inf
 
 
-MEASURES: dict[type, Callable[[Any, SensedCell], float]] = {DistanceSensor: _distance, ForceSensor: _force}
+MEASURES: dict[type, Callable[[Any, SensedCell], float]] = {
+    DistanceSensor: _distance,
+    ForceSensor: _force,
+    ForceTorqueSensor: _force_torque,
+}
 """Kind of sensor -> measuring function."""

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from operator import itemgetter
 
-from ropsim.controller.measuring import is_on, measure
+from ropsim.controller.sensing.measuring import is_on
+from ropsim.controller.sensing.sensor_errors import read_sensor
 from ropsim.model import Signal
 from ropsim.planning import Sample, SensedCell
 
@@ -20,7 +21,7 @@ def with_change(signal: Signal, time: float, value: float) -> Signal:
 
 
 class CellSensors:
-    """Ideal channels: a reading is the value that holds at its time, without delay or noise.
+    """The channels of a cell: a reading is the value that holds at its time, a sensor has its errors.
 
     Args:
         signals: inputs and outputs of the cell, by name; inputs follow their changes. An input with a sensor
@@ -50,8 +51,9 @@ class CellSensors:
         elif signal is not None:
             past = bisect_right(signal.changes, time, key=lambda change: change[0])
             if signal.sensor is not None and not past:
-                found = measure(signal.sensor, cell)
-                return Sample(found if signal.analog else is_on(signal.sensor, found), valid=True, age=0.0)
+                found = read_sensor(channel, signal.sensor, cell)
+                value = found.value if signal.analog else is_on(signal.sensor, found.value)
+                return Sample(value, valid=True, age=found.age)
             value = signal.changes[past - 1][1] if past else signal.initial
         else:
             return _NO_SAMPLE
