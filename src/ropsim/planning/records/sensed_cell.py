@@ -1,9 +1,10 @@
 """Surroundings of sensors in a cell: the state of its arms, and the surfaces around them."""
 
+from dataclasses import field
 from typing import Protocol
 
 from ropsim.model import Payload, RobotModel
-from ropsim.spatial import Array, Pose, record
+from ropsim.spatial import Array, Pose, frozen, record
 
 
 @record
@@ -20,6 +21,10 @@ class ArmState:
         effort: torques of the drives at the joints, from the currents of the motors [N·m | N], shape (n,); 0
             in a section without dynamics.
         X_WT: pose of the tool in force in the world.
+        wrench: what the environment exerted on tool and held part over the last control tick: force [N] and
+            moment [N·m] about the origin of the mechanical interface, in the world frame, shape (6,); zeros
+            without a contact that the cell declares. In kinematic runs it comes from the same geometry, and
+            moves nothing.
     """
 
     station: str
@@ -30,6 +35,7 @@ class ArmState:
     qd: Array
     effort: Array
     X_WT: Pose
+    wrench: Array = field(default_factory=lambda: frozen([0.0] * 6))
 
 
 class SensedCell(Protocol):

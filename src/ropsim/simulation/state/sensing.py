@@ -7,6 +7,7 @@ import numpy as np
 
 from ropsim.kinematics import Blocks, forward, nearest_along, part_blocks, stacked
 from ropsim.planning import ENTITY_FAILS, ArmState, Sample, SensorInterface, entity_fails, is_our_own, raised
+from ropsim.simulation.records.plant import CONTACT_WRENCH
 from ropsim.simulation.state.cell_run import CellRun
 from ropsim.simulation.state.station_run import StationRun
 from ropsim.spatial import Array, Pose
@@ -36,13 +37,15 @@ class SensedRun:
         robot, payload = other.station.robot, other.payload
         if other.due <= self.at.due:
             q, qd, effort, tick = other.plant.q, other.plant.qd, other.plant.effort, float(other.tick)
+            wrench = other.plant.wrench
         else:
             tick = self.at.due / other.cell_ticks
             row = other.plant.at(tick)
             q, qd, effort = other.plant.q_at(tick), row["qd"], row.get("tau", np.zeros(robot.n))
+            wrench = row.get(CONTACT_WRENCH, np.zeros(6))
         X_WM = other.station.X_WB @ forward(robot, q)
         X_WT = X_WM @ other.tool_frames.at(tick + 1)  # from this tick on
-        return ArmState(name, self.at.time, robot, payload, q, qd, effort, X_WT)
+        return ArmState(name, self.at.time, robot, payload, q, qd, effort, X_WT, wrench)
 
     def distance(self, X_WS: Pose, most: float, station: str = "") -> float:
         """Return the distance along a z axis to the nearest surface [m], infinite where none is so near."""
