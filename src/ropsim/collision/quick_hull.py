@@ -49,6 +49,25 @@ def bounded_hull(points: npt.ArrayLike, most: int = MOST) -> tuple[Array, float]
     return corners, margin + FINE * unit.size
 
 
+def triangles_of_hull(points: Array) -> npt.NDArray[np.intp]:
+    """Return the triangles of the hull of points as their rows, counter-clockwise from outside, shape (t, 3).
+
+    None where the points lie in one plane.
+
+    Args:
+        points: [m], shape (k, 3), k > 0.
+    """
+    unit = unit_points(points)
+    if unit is None or len(unit.points) > unit.given:
+        return np.empty((0, 3), np.intp)
+    growing = _Growing(unit)
+    while growing.grow():
+        pass
+    faces = growing.polytope.faces.values()
+    rows = [[growing.rows[corner] for corner in face.corners] for face in faces]
+    return np.array(sorted(rows), np.intp)
+
+
 class _Growing:
     """A hull and the points outside of it, by the face that sees them."""
 

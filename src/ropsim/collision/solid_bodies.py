@@ -42,6 +42,11 @@ class SolidBodies:
         bounds = np.array([one.bounds for one in self.convexes]).reshape(-1, 2, 3)
         self._centres, self._halves = bounds.mean(axis=1), np.ptp(bounds, axis=1) / 2.0
 
+    @property
+    def hulls(self) -> tuple[Array, Array]:
+        """Return the points of all hulls, shape (v, 3), and the bodies of them; see the kernel."""
+        return self._points, self._bodies
+
     def placed(self, poses: Mapping[str, Array]) -> Array:
         """Return R_W by rows and p_W [m] of each convex body, shape (n, 12).
 

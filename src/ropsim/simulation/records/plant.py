@@ -9,6 +9,9 @@ from ropsim.model import Payload
 from ropsim.simulation.records.tally import Tally
 from ropsim.spatial import Array
 
+CONTACT_WRENCH = "contact_wrench"
+"""Name of the recorded wrench, in the data of a plant and in the channels of a station."""
+
 
 class Plant(Protocol):
     """Joint controller, drives and arm as one thing that is driven by references and recorded."""
@@ -26,6 +29,15 @@ class Plant(Protocol):
     @property
     def effort(self) -> Array:
         """Return the torques of the drives at the joints [N·m | N], shape (n,); 0 without drives."""
+        ...
+
+    @property
+    def wrench(self) -> Array:
+        """Return what the environment exerted on tool and held part over the last control tick, shape (6,).
+
+        Force [N] and moment [N·m] about the origin of the mechanical interface, in the world frame; zeros
+        without a contact that the cell declares.
+        """
         ...
 
     @property

@@ -16,6 +16,7 @@ from ropsim.planning import (
     is_our_own,
     raised,
 )
+from ropsim.simulation.records.plant import CONTACT_WRENCH
 from ropsim.simulation.state.carried_load import carried_load
 from ropsim.simulation.state.cell_run import CellRun
 from ropsim.simulation.state.station_run import StationRun
@@ -52,13 +53,15 @@ class SensedRun:
         robot, payload = other.station.robot, other.loads.at(self._due // other.cell_ticks)
         if other.due <= self._due:
             q, qd, effort, tick = other.plant.q, other.plant.qd, other.plant.effort, float(other.tick)
+            wrench = other.plant.wrench
         else:
             tick = self._due / other.cell_ticks
             row = other.plant.at(tick)
             q, qd, effort = other.plant.q_at(tick), row["qd"], row.get("tau", np.zeros(robot.n))
+            wrench = row.get(CONTACT_WRENCH, np.zeros(6))
         X_WM = other.station.X_WB @ forward(robot, q)
         X_WT = X_WM @ other.tool_frames.at(tick + 1)  # from this tick on
-        return ArmState(name, self._due / self.run.hz, robot, payload, q, qd, effort, X_WT, X_WM=X_WM)
+        return ArmState(name, self._due / self.run.hz, robot, payload, q, qd, effort, X_WT, wrench, X_WM)
 
     def distance(self, X_WS: Pose, most: float, station: str = "") -> float:
         """Return the distance along a z axis to the nearest surface [m], infinite where none is so near."""

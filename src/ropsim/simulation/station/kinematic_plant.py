@@ -51,6 +51,11 @@ class KinematicPlant:
         return np.zeros(len(self._q))
 
     @property
+    def wrench(self) -> Array:
+        """Return the contact force [N] and moment [N·m] at the mechanical interface; see `Plant.wrench`."""
+        return np.zeros(6)
+
+    @property
     def plant_steps(self) -> int:
         """Return the integration steps of drives and arm per control tick; 1 where nothing is integrated."""
         return 1

@@ -83,6 +83,11 @@ class ServoPlant:
         return self._recorder.tally
 
     @property
+    def wrench(self) -> Array:
+        """Return the contact force [N] and moment [N·m] at the mechanical interface; see `Plant.wrench`."""
+        return np.zeros(6)
+
+    @property
     def plant_steps(self) -> int:
         """Return the integration steps of drives and arm per control tick; 1 where nothing is integrated."""
         return self._servo.plant_steps
