@@ -10,6 +10,7 @@ from ropsim.cellfile.devices.signals import read_signals
 from ropsim.cellfile.external_values import read_external_values
 from ropsim.cellfile.frames import note_moving, read_frames
 from ropsim.cellfile.mounts import Mount, axes_of, mounts_of
+from ropsim.cellfile.objects.contacts import note_formless, read_contacts
 from ropsim.cellfile.objects.destinations import Surroundings
 from ropsim.cellfile.objects.fixed_objects import read_objects
 from ropsim.cellfile.objects.objects import read_parts, read_sinks
@@ -120,6 +121,17 @@ def _cell(root: TomlTable, folder_name: str, library: RobotLibrary) -> Cell | No
     around = Surroundings(units, locations, located)
     groups = read_parts(root.tables("parts"), root.tables("supplies"), taken, around)
     supports = read_supports(root.table("supports"), units)
+    pressed = root.named("contacts")
+    contacts = read_contacts(
+        pressed,
+        {**dict.fromkeys(tools, "tool"), **{part.name: "part" for group in groups for part in group.parts}},
+        {
+            **{one.name: "object" for one in objects},
+            **{part.name: "part" for group in groups for part in group.parts},
+            **dict.fromkeys(devices, "device"),
+        },
+        units,
+    )
     head = root.table("cell")
     name = head.text("name", folder_name)
     if ROBOT in stations:
@@ -151,9 +163,11 @@ def _cell(root: TomlTable, folder_name: str, library: RobotLibrary) -> Cell | No
         external=external,
         tools=tuple(tools),
         clearance=clearance,
+        contacts=contacts,
     )
     if not any(found.is_error for found in root.findings.items):
         note_standings(cell, groups)
+        note_formless(cell, pressed)
     return cell
 
 

@@ -183,6 +183,14 @@ MEANINGS: Mapping[str, str] = {
     "supports": "When a part lies on something.",
     "gap": "A part lies on what is at most so far below it.",
     "depth": "A released part may be so deep in something else.",
+    "contacts": "Tools and parts that are pressed on others, which push back.",
+    "contacts.*": "A tool or part that is pressed on others, and how hard they resist.",
+    "contacts.*.of": "Name of the tool or part that is pressed on others.",
+    "contacts.*.with": "Names of what it is pressed on: objects, parts, devices, `floor`.",
+    "contacts.*.stiffness": "Force over depth, of a face on a face or of a ball.",
+    "contacts.*.damping": "Force over the speed of approach; without it 2 ms times the stiffness.",
+    "contacts.*.friction": "Coefficient of friction.",
+    "contacts.*.depth": "Bodies may be so deep in each other; deeper ones collide.",
     "objects": "What stands in the cell and does not move by itself.",
     "objects.parent": "On what it hangs; its pose is given there.",
     "size": "Edges of a box whose top face has its centre at the position.",
@@ -213,7 +221,7 @@ MEANINGS: Mapping[str, str] = {
 }
 
 # Sections whose entries are named by the user.
-NAMED = ("stations", "devices", "tools", "frames", "locations", "signals")
+NAMED = ("stations", "devices", "tools", "frames", "locations", "signals", "contacts")
 
 
 def meaning_of(path: Sequence[str | int], question: Question | None = None) -> str:

@@ -4,6 +4,9 @@ from ropsim.collision.collisions import AS_AT_START as AS_AT_START
 from ropsim.collision.collisions import TOUCH as TOUCH
 from ropsim.collision.collisions import Collisions as Collisions
 from ropsim.collision.collisions import Coordinates as Coordinates
+from ropsim.collision.contact.contact_pairs import ContactLaw as ContactLaw
+from ropsim.collision.contact.contact_pairs import ContactPairs as ContactPairs
+from ropsim.collision.contact.contact_pairs import TouchingPair as TouchingPair
 from ropsim.collision.convex import Convex as Convex
 from ropsim.collision.depth import COARSE as COARSE
 from ropsim.collision.distance import distance as distance

@@ -1,6 +1,6 @@
 """The generated functions of an arm, made on the first request."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 
 from ropsim.codegen import Compiled, Engine, Formula, GivenCode, Scalar, Tracer, default_engine
@@ -126,7 +126,13 @@ def forward_code(structure: ArmStructure) -> GivenCode:
     return GivenCode.of(Formula("forward", ("q", "qd", "tau", "qdd"), results))
 
 
-def trace_forward(arm: TracedArm, qd: list[Scalar], tau: list[Scalar], sides: list[Side]) -> list[Scalar]:
+def trace_forward(
+    arm: TracedArm,
+    qd: list[Scalar],
+    tau: list[Scalar],
+    sides: list[Side],
+    outside: Sequence[Scalar] = (),
+) -> list[Scalar]:
     """Return the joint accelerations.
 
     Args:
@@ -134,6 +140,7 @@ def trace_forward(arm: TracedArm, qd: list[Scalar], tau: list[Scalar], sides: li
         qd: joint speeds.
         tau: torques of the drives at the joints, before friction.
         sides: friction and inertia of the drives at the joints; empty without drives.
+        outside: efforts at the axes from outside; empty for none.
     """
     bias = trace_inverse(arm, qd, [arm.tracer.constant(0.0)] * arm.n)
     right = [tau[k] - bias[k] for k in range(arm.n)]
@@ -141,6 +148,8 @@ def trace_forward(arm: TracedArm, qd: list[Scalar], tau: list[Scalar], sides: li
     for k, side in enumerate(sides):
         right[k] = right[k] - side.friction.under(tau[k])
         lower[k][k] = lower[k][k] + side.inertia
+    for k, effort in enumerate(outside):
+        right[k] = right[k] + effort
     return trace_solve(lower, right)
 
 

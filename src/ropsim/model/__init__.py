@@ -31,6 +31,9 @@ from ropsim.model.cell.cell_bodies import mount_of as mount_of
 from ropsim.model.cell.cell_bodies import part_shape as part_shape
 from ropsim.model.cell.cell_bodies import start_of as start_of
 from ropsim.model.cell.cell_bodies import tool_body as tool_body
+from ropsim.model.cell.contact_bodies import meant_depths as meant_depths
+from ropsim.model.cell.contact_bodies import pressing_bodies as pressing_bodies
+from ropsim.model.cell.contact_bodies import resisting_bodies as resisting_bodies
 from ropsim.model.cell.cylinder_bodies import cylinder_bodies as cylinder_bodies
 from ropsim.model.cell.device import Barrier as Barrier
 from ropsim.model.cell.device import BeltDrive as BeltDrive
@@ -41,6 +44,8 @@ from ropsim.model.cell.device import SwitchDrive as SwitchDrive
 from ropsim.model.cell.frame import Frame as Frame
 from ropsim.model.cell.frame import in_base as in_base
 from ropsim.model.cell.frame import still_frames as still_frames
+from ropsim.model.cell.meant_contact import FLOOR as FLOOR
+from ropsim.model.cell.meant_contact import MeantContact as MeantContact
 from ropsim.model.cell.part import PART_COLOUR as PART_COLOUR
 from ropsim.model.cell.part import Destination as Destination
 from ropsim.model.cell.part import Part as Part

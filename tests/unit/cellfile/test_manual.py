@@ -31,7 +31,7 @@ def test_every_example_is_a_right_cell_file(example: str) -> None:
 
 
 def test_the_examples_show_what_they_are_about() -> None:
-    first, external, measured, own, stations, axis, devices, library, frames, sensing = (
+    first, external, measured, own, stations, axis, devices, library, frames, pressed, sensing = (
         read_cell(SourceText("", one), "")[0] for one in EXAMPLES
     )
     assert first is not None
@@ -57,6 +57,10 @@ def test_the_examples_show_what_they_are_about() -> None:
     assert library.first.tools["jaws"].mass == 0.7126
     assert library.first.default_tool == "jaws"
     assert list(library.devices) == ["belt"]
+    assert pressed is not None
+    (contact,) = pressed.contacts
+    assert (contact.moving, contact.standing) == ("peg", ("block", "floor"))
+    assert (contact.stiffness, contact.damping) == (2e5, 400.0)
     assert frames is not None
     assert frames.located == {"corner": "fixture"}
     assert sensing is not None

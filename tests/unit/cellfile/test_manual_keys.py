@@ -135,6 +135,7 @@ EXPLAINED = [
     (f"{ARM}[[supplies]]\n?", told("A place where parts appear")),
     (f"{ARM}[[sinks]]\n?", told("A place where released parts")),
     (f"{ARM}[supports]\n?", listed("## `[supports]`")),
+    (f"{ARM}[contacts.a]\n?", listed("## `[contacts.NAME]`")),
     (f"{ARM}[[objects]]\n?", listed("## `[[objects]]`")),
     (f'{ARM}[[objects]]\nshapes = [{{ mesh = "a.stl", ? }}]', SHAPES),
     *(

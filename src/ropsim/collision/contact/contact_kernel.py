@@ -33,7 +33,8 @@ class Surfaces(NamedTuple):
         edges: shape (e, 8).
         planes: shape (m, 4).
         bodies: first and behind the last of its points, edges and planes; 1 where it is round, 2 for a ball;
-            centre and radius of a ball around it [m]; shape (n, 11).
+            centre and radius of a ball around it [m]; behind the last point that is a corner or on a rim;
+            shape (n, 12).
         corners: points of the hulls as for `distances`, shape (h, 3).
         hulls: as for `distances`, shape (n, 4).
     """
@@ -132,7 +133,8 @@ def _pressed(surfaces: Surfaces, poses: Array, a: int, b: int, sign: float, work
     bodies = surfaces.bodies
     if bodies[b, 5] <= bodies[b, 4]:
         return count
-    for i in range(int(bodies[a, 0]), int(bodies[a, 1])):
+    last = int(bodies[a, 11]) if sign > 0.0 else int(bodies[a, 1])  # the other body has points in faces
+    for i in range(int(bodies[a, 0]), last):
         x, y, z = surfaces.points[i, 0], surfaces.points[i, 1], surfaces.points[i, 2]
         count = _point(surfaces, poses, a, b, (x, y, z), (sign, surfaces.points[i, 3]), work, count)
     for k in range(3):  # the centre of the other body, seen from this one
@@ -152,9 +154,9 @@ def _pressed(surfaces: Surfaces, poses: Array, a: int, b: int, sign: float, work
         half = sqrt((radius * radius - off) / square)
         steps = surfaces.edges[e, 6]
         weight = ON_EDGE if sign > 0.0 else surfaces.edges[e, 7]
-        first = max(1, int((middle - half) * steps))
-        last = min(int(steps) - 1, int((middle + half) * steps) + 1)
-        for i in range(first, last + 1):
+        begin = max(1, int((middle - half) * steps))
+        end = min(int(steps) - 1, int((middle + half) * steps) + 1)
+        for i in range(begin, end + 1):
             t = i / steps
             at = (x + t * dx, y + t * dy, z + t * dz)
             count = _point(surfaces, poses, a, b, at, (sign, weight), work, count)

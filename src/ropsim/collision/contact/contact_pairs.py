@@ -155,14 +155,15 @@ def _packed(surfaces: Sequence[Surface], bodies: SolidBodies) -> tuple[Surfaces,
             kind = 2.0
         middle, halves = bodies.box(number)
         places = [value for pair in zip(starts, ends, strict=True) for value in pair]
-        rows.append((*places, kind, *middle.tolist(), float(np.linalg.norm(halves))))
+        outer = starts[0] + one.outer
+        rows.append((*places, kind, *middle.tolist(), float(np.linalg.norm(halves)), outer))
         counts.append(len(one.points) + int(one.edges[:, 6].sum()))
     corners, hulls = bodies.hulls
     return Surfaces(
         np.concatenate([one.points for one in surfaces] or [np.empty((0, 4))]),
         np.concatenate([one.edges for one in surfaces] or [np.empty((0, 8))]),
         np.concatenate([one.planes for one in surfaces] or [np.empty((0, 4))]),
-        np.array(rows).reshape(-1, 11),
+        np.array(rows).reshape(-1, 12),
         corners,
         hulls,
     ), 2 + sum(sorted(counts)[-2:])

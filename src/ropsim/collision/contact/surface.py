@@ -31,12 +31,14 @@ class Surface:
         edges: both ends [m], number of steps, and weight of a point, shape (e, 8).
         planes: nx, ny, nz and offset [m] of each; of a round body those of its profile: nr, nz, 0, offset;
             shape (m, 4).
+        outer: how many points, the first ones, are corners or on a rim; the others lie within faces.
         is_round: whether the planes are those of a profile about z.
     """
 
     points: Array
     edges: Array
     planes: Array
+    outer: int = 0
     is_round: bool = False
 
     def __post_init__(self) -> None:
@@ -84,7 +86,9 @@ def _flat(convex: Convex) -> Surface:
         steps = max(LEAST_STEPS, ceil(float(np.linalg.norm(end - start)) / EDGE_STEP))
         edges.append((*start.tolist(), *end.tolist(), steps, 0.0625 / (steps - 1)))
     planes = [(*face.normal.tolist(), face.offset + convex.margin) for face in faces]
-    return Surface(np.array(rows), np.array(edges).reshape(-1, 8), np.array(planes).reshape(-1, 4))
+    return Surface(
+        np.array(rows), np.array(edges).reshape(-1, 8), np.array(planes).reshape(-1, 4), len(corners)
+    )
 
 
 def _round(convex: Convex) -> Surface:
@@ -94,6 +98,7 @@ def _round(convex: Convex) -> Surface:
     rows: list[tuple[float, ...]] = []
     for radius, height in outline:
         rows += _circle(radius, height, count, 0.8) if radius > 0.0 else [(0.0, 0.0, height, 0.125)]
+    outer = len(rows)
     for radius, height in (outline[0], outline[-1]):
         if radius > 0.0:
             rows += [*_circle(0.5 * radius, height, _HALF_WAY, 0.1), (0.0, 0.0, height, 0.1)]
@@ -105,7 +110,7 @@ def _round(convex: Convex) -> Surface:
         if length > 0.0:
             across, along = (z1 - z0) / length, (r0 - r1) / length
             planes.append((across, along, 0.0, across * r0 + along * z0 + convex.margin))
-    return Surface(np.array(rows), NO_EDGES, np.array(planes).reshape(-1, 4), is_round=True)
+    return Surface(np.array(rows), NO_EDGES, np.array(planes).reshape(-1, 4), outer, is_round=True)
 
 
 def _circle(radius: float, height: float, count: int, weight: float) -> list[tuple[float, ...]]:

@@ -7,6 +7,7 @@ from typing import ClassVar
 from ropsim.core import frozen_dataclass, plural
 from ropsim.model.cell.device import BeltDrive, Device
 from ropsim.model.cell.frame import Frame
+from ropsim.model.cell.meant_contact import MeantContact
 from ropsim.model.cell.part import Part
 from ropsim.model.cell.signal import Signal
 from ropsim.model.cell.station import Station
@@ -73,6 +74,7 @@ class Cell:
         classic: settings for classic files.
         external: values of external axes at locations that define them, by name.
         tools: names of all tools, including tools without a station.
+        contacts: tools and parts that are pressed on others, and pushed back.
         clearance: required distance between moving bodies and all others in a run [m]; 0 for none.
 
     Raises:
@@ -96,6 +98,7 @@ class Cell:
     external: Mapping[str, ExternalValues] = field(default_factory=dict)
     tools: tuple[str, ...] = ()
     given: Mapping[str, str] = field(default_factory=dict)
+    contacts: tuple[MeantContact, ...] = ()
     clearance: float = 0.0
     free: frozenset[str] = frozenset()
 
@@ -150,6 +153,7 @@ def _numbered(cell: Cell) -> dict[str, Ranged]:
     found |= {f"frames.{name}.": frame for name, frame in cell.frames.items()}
     found |= {f"external.{name}.": values for name, values in cell.external.items()}
     found |= {f"objects.{one.name}.": one for one in cell.objects}
+    found |= {f"contacts.{one.name}.": one for one in cell.contacts}
     found |= {f"sinks.{one.name}.": one for one in cell.sinks}
     for name, device in cell.devices.items():
         found |= {f"devices.{name}.": device, f"devices.{name}.drive.": device.drive}

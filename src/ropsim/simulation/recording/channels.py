@@ -139,6 +139,15 @@ def correction_channel(station: str, values: Array) -> Channel:
     return Channel(values, "m", (), text, ChannelGroup.TCP, station)
 
 
+def wrench_channel(station: str, values: Array) -> Channel:
+    """Return the channel of the contact wrench at the mechanical interface, shape (rows, 6)."""
+    text = (
+        "force and moment on tool and held part by what they are pressed on, about the mechanical interface"
+    )
+    names = ("fx", "fy", "fz", "mx", "my", "mz")
+    return Channel(values, "N | N·m", names, f"{text}, in the world frame", ChannelGroup.TCP, station)
+
+
 def path_error_channel(station: str, errors: Array) -> Channel:
     """Return the channel of path errors [m], shape (rows,), NaN where there is none."""
     text = "distance of the attained TCP from the path of the tool, with its correction by a sensor"

@@ -12,7 +12,9 @@ from ropsim.simulation.recording.channels import (
     joint_channels,
     pose_channels,
     track_channel,
+    wrench_channel,
 )
+from ropsim.simulation.records.plant import CONTACT_WRENCH
 from ropsim.simulation.records.track import Track
 from ropsim.simulation.servo.log import drive_powers
 from ropsim.simulation.state.station_run import StationRun
@@ -60,6 +62,8 @@ def _station_sample(at: StationRun, tick: float) -> dict[str, Channel]:
         matrices = forward_batch(robot, log[one]) @ X_MT
         turned = quaternions_from_matrices(matrices[:, :3, :3])
         poses |= pose_channels(name, kind, np.ascontiguousarray(matrices[:, :3, 3]), turned)
+    if CONTACT_WRENCH in log:
+        poses[CONTACT_WRENCH] = wrench_channel(name, log[CONTACT_WRENCH])
     return {
         **joint_channels(name, robot, log),
         **poses,

@@ -41,10 +41,12 @@ from ropsim.simulation.recording.channels import (
     path_speed_channel,
     pose_channels,
     track_channel,
+    wrench_channel,
 )
 from ropsim.simulation.recording.path_corrections import corrections, without_corrections
 from ropsim.simulation.recording.path_speeds import path_speeds
 from ropsim.simulation.records.move_span import PathSpan
+from ropsim.simulation.records.plant import CONTACT_WRENCH
 from ropsim.simulation.records.tally_kernel import greatest
 from ropsim.simulation.records.track import Track
 from ropsim.simulation.servo.log import drive_powers
@@ -194,6 +196,8 @@ def _station_channels(at: StationRun, logged: Mapping[str, Array], rows: Array) 
         for kind, q, positions in (("command", log["q_ref"], command), ("attained", log["q"], attained)):
             speeds = path_speeds(at.paths, ticks / at.hz, ticks, q, positions)
             carried[f"{kind}_path_speed"] = path_speed_channel(name, kind, speeds)
+    if CONTACT_WRENCH in log:
+        carried[CONTACT_WRENCH] = wrench_channel(name, log[CONTACT_WRENCH])
     held = {one: track_channel(name, one, at.tracks[one], last, at.hz) for one in sorted(at.tracks)}
     return {
         **joint_channels(name, robot, log),

@@ -98,6 +98,7 @@ class _Traced:
         layout: of the state.
         x: integrated part of the state.
         u: output of the amplifiers.
+        outside: efforts at the axes from outside; empty where nothing exerts them.
         outputs: output of the amplifiers for a command.
         carried: effect of each drive on its joint.
     """
@@ -106,25 +107,34 @@ class _Traced:
     layout: StateLayout
     x: list[Scalar]
     u: list[Scalar]
+    outside: list[Scalar]
     outputs: list[Scalar]
     carried: list[Carried]
 
     @classmethod
-    def of(cls, tracer: Tracer, structure: ArmStructure) -> "_Traced":
+    def of(cls, tracer: Tracer, structure: ArmStructure, outside_rows: int = 0) -> "_Traced":
         n, chains = structure.n, structure.drives
-        layout = StateLayout.of(structure, LawTraits())
+        layout = StateLayout.of(structure, LawTraits(), 0, outside_rows)
         numbers = traced_numbers(tracer, structure).drives
         x = tracer.variables("x", layout.integrated)
-        command, u = tracer.variables("command", n), tracer.variables("u", n)
+        command, given = tracer.variables("command", n), tracer.variables("u", (1 + outside_rows) * n)
+        u, outside = given[:n], given[n:]
         outputs = [chain.amplified(numbers[k], command[k]) for k, chain in enumerate(chains)]
         states = [[x[place] for place in layout.drive(k)] for k in range(n)]
         carried = trace_drives(structure, numbers, (x[layout.q], x[layout.qd]), states, u)
-        return cls(tracer, layout, x, u, outputs, carried)
+        return cls(tracer, layout, x, u, outside, outputs, carried)
 
     @property
     def tau(self) -> list[Scalar]:
         """Return the torques of the drives at the joints."""
         return [one.effort for one in self.carried]
+
+    @property
+    def net(self) -> list[Scalar]:
+        """Return the efforts at the axes: torques of the drives less friction, and those from outside."""
+        sides = sides_of(self.tracer, self.carried)
+        net = [tau - side.friction.under(tau) for tau, side in zip(self.tau, sides, strict=True)]
+        return [one + more for one, more in zip(net, self.outside, strict=True)] if self.outside else net
 
     def rates(self, target: str) -> list[tuple[str, Scalar]]:
         """Return the rates of the states of the drives."""
@@ -136,16 +146,20 @@ class _Traced:
 
 
 @lru_cache(maxsize=64)
-def plant_code(structure: ArmStructure) -> GivenCode | LongPlantCode | ClosedPlantCode:
+def plant_code(structure: ArmStructure, outside_rows: int = 0) -> GivenCode | LongPlantCode | ClosedPlantCode:
     """Return `amplify`, `derivative`, `efforts` and `observe` of arm and drives.
 
     `amplify(command, constants, u)` computes the output of the amplifiers; `derivative(x, u, constants, dx)`
     the rates of the integrated part of the state; `efforts(x, u, constants, tau)` the torques of the drives
     at the joints; `observe(x, u, constants, row)` a row of the log without the reference. An arm with closed
     chains also has `settle(x, constants)`.
+
+    Args:
+        structure: of arm and drives.
+        outside_rows: 1 where efforts at the axes from outside stand behind the outputs in `u`, else 0.
     """
     tracer = Tracer()
-    drives = _Traced.of(tracer, structure)
+    drives = _Traced.of(tracer, structure, outside_rows)
     others = (
         Formula("amplify", ("command", "u"), [(f"u[{k}]", one) for k, one in enumerate(drives.outputs)]),
         Formula("efforts", ("x", "u", "tau"), [(f"tau[{k}]", one) for k, one in enumerate(drives.tau)]),
@@ -158,7 +172,7 @@ def plant_code(structure: ArmStructure) -> GivenCode | LongPlantCode | ClosedPla
         return _closed(tracer, structure, drives, others)
     arm = trace_arm(tracer, structure, traced_numbers(tracer, structure), drives.x[drives.layout.q])
     qd = drives.x[drives.layout.qd]
-    rates = [*qd, *trace_forward(arm, qd, drives.tau, sides_of(tracer, drives.carried))]
+    rates = [*qd, *trace_forward(arm, qd, drives.tau, sides_of(tracer, drives.carried), drives.outside)]
     results = [*((f"dx[{k}]", rate) for k, rate in enumerate(rates)), *drives.rates("dx")]
     return GivenCode.of(*others, Formula("derivative", ("x", "u", "dx"), results))
 
@@ -172,13 +186,12 @@ def _closed(
     )
     speeds = [x[place] for place in state.speed_places]
     sides = sides_of(tracer, drives.carried)
-    net = [tau - side.friction.under(tau) for tau, side in zip(drives.tau, sides, strict=True)]
     rates = dict(drives.rates(""))
     plant = plant_formulas(
         arm,
         structure.cuts,
         speeds,
-        (net, [side.inertia for side in sides]),
+        (drives.net, [side.inertia for side in sides]),
         [rates[f"[{place}]"] for place in state.rates],
     )
     return ClosedPlantCode(GivenCode.of(*others, *plant), state, structure.rows)
@@ -238,10 +251,7 @@ def _sides(drives: _Traced) -> list[tuple[str, Scalar]]:
     """Return the efforts on the joints, the inertia of the drives there, and their rates."""
     sides = sides_of(drives.tracer, drives.carried)
     n = len(sides)
-    net = [
-        (f"side[{k}]", tau - side.friction.under(tau))
-        for k, (tau, side) in enumerate(zip(drives.tau, sides, strict=True))
-    ]
+    net = [(f"side[{k}]", effort) for k, effort in enumerate(drives.net)]
     inertia = [(f"side[{n + k}]", side.inertia) for k, side in enumerate(sides)]
     return [*net, *inertia, *drives.rates("side")]
 

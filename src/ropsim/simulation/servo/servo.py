@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.codegen import Compiled, Engine, StoppedError, bound, default_engine, load
+from ropsim.codegen import Compiled, Engine, SourceFunction, StoppedError, bound, default_engine, load
 from ropsim.controller import (
     CompiledLaw,
     LawInput,
@@ -46,7 +46,7 @@ from ropsim.simulation.servo.judged import full_values
 from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
 from ropsim.simulation.servo.recorder import Recorder
-from ropsim.simulation.servo.sensing import Sensing, Sensors, is_timed, sensing_of, sensor_rows
+from ropsim.simulation.servo.sensing import Sensors, is_timed, sensing_of, sensor_rows
 from ropsim.simulation.servo.slice_log import Log
 from ropsim.simulation.servo.source import NO_SENSORS, frame_rows, servo_functions
 from ropsim.simulation.servo.state import ServoState, StateLayout
@@ -94,6 +94,7 @@ class Servo:
         controller: ControllerModel,
         law: CompiledLaw | PythonLaw | None = None,
         engine: Engine | None = None,
+        outside_rows: int = 0,
     ) -> "Servo":
         """Return the servo; generates and compiles its slice, or loads it from the cache on disk.
 
@@ -102,6 +103,7 @@ class Servo:
             controller: rates, and the gains where no law is given.
             law: another law than that of the controller model.
             engine: who runs the slice; None takes numba where it is installed.
+            outside_rows: 1 where efforts from outside act on the axes (`ServoState.pressed`), else 0.
 
         Raises:
             NoDrivesError: the model of the arm has no drives.
@@ -122,10 +124,10 @@ class Servo:
         check_law(inner, robot)
         sensing = sensing_of(controller, inner)
         own = chosen if law is not None or controller.kind is ControllerKind.FILE else None
-        kernel = _kernel(
-            robot, inner, sensing if python_law is None else NO_SENSORS, engine or default_engine(), own
-        )
-        layout = StateLayout.of(structure_of(robot), inner.traits, sensing.kept)
+        layout = StateLayout.of(structure_of(robot), inner.traits, sensing.kept, outside_rows)
+        within = sensing if python_law is None else NO_SENSORS
+        functions = servo_functions(structure_of(robot), inner, within, outside_rows)
+        kernel = _kernel(robot, inner, functions, engine or default_engine(), own)
         steps = plant_steps_of(robot, controller.rates)
         rates = replace(controller.rates, plant_steps=steps)
         numbers = sensor_rows(controller, inner)
@@ -271,7 +273,8 @@ class Servo:
 
     def _slice(self, payload: Payload) -> Compiled:
         """Return the slice with the constants of the plant, and tool and part as the law takes them."""
-        constants = plant_code(structure_of(self.robot)).constants(arm_numbers(self.robot, payload))
+        code = plant_code(structure_of(self.robot), self.layout.outside_rows)
+        constants = code.constants(arm_numbers(self.robot, payload))
         load_ = np.array(barycentric(payload.mass, payload.com, payload.inertia))
         made = self.bench.slices[payload] = bound(self.bench.slice, constants, load_)
         return made
@@ -374,12 +377,11 @@ class _Bench:
 def _kernel(
     robot: RobotModel,
     law: CompiledLaw,
-    sensing: Sensing,
+    functions: tuple[SourceFunction, ...],
     engine: Engine,
     own: CompiledLaw | PythonLaw | None,
 ) -> Compiled:
     """Return the compiled slice; `own` is the law of a user, which is tried first."""
-    functions = servo_functions(structure_of(robot), law, sensing)
     name = f"{identifier(robot.name)}_servo_{law.name}"
     if not isinstance(own, CompiledLaw):
         return load(name, functions, engine)

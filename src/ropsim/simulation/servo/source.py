@@ -21,20 +21,27 @@ NO_SENSORS = Sensing(())
 
 
 def servo_functions(
-    structure: ArmStructure, law: CompiledLaw, sensing: Sensing = NO_SENSORS
+    structure: ArmStructure, law: CompiledLaw, sensing: Sensing = NO_SENSORS, outside_rows: int = 0
 ) -> tuple[SourceFunction, ...]:
-    """Return the functions of the slice module; `run_slice` is the last."""
+    """Return the functions of the slice module; `run_slice` is the last.
+
+    Args:
+        structure: of arm and drives.
+        law: of the joint controller.
+        sensing: what stands between arm and law.
+        outside_rows: 1 where efforts from outside act on the axes, else 0.
+    """
     return (
-        *plant_code(structure).functions,
+        *plant_code(structure, outside_rows).functions,
         *((step_code(StateLayout.of(structure, law.traits).loops),) if structure.cuts else ()),
         *sensing.functions,
         *law_functions(law),
         law_code(law).function,
-        SourceFunction("run_slice", SLICE_SIGNATURE, _slice_text(structure, law, sensing)),
+        SourceFunction("run_slice", SLICE_SIGNATURE, _slice_text(structure, law, sensing, outside_rows)),
     )
 
 
-def _slice_text(structure: ArmStructure, law: CompiledLaw, sensing: Sensing) -> str:
+def _slice_text(structure: ArmStructure, law: CompiledLaw, sensing: Sensing, outside_rows: int) -> str:
     """Return `run_slice`: law, amplifiers and `plant_steps` Runge-Kutta steps for every tick, log and tally.
 
     The steps are as in the classical method; those of closed chains are made by `loop_step`. The law receives
@@ -43,9 +50,10 @@ def _slice_text(structure: ArmStructure, law: CompiledLaw, sensing: Sensing) -> 
     the amplifiers over the tick. `values` is the state vector; `ref`, `pending` and `memory` are parts of
     it by rows; `par` are the parameters of the law, and below them the rows of its model; `frame` (4 + r,
     n), `stages` (5, m) and `now` (w,) are work arrays, the last r rows of the frame for what the law
-    reads of the drives and for its own work. Every tick enters the tally (4, w): `ends` (2, n) are the
-    ranges of the joints, `full` (w,) are the values that count as limits; for pressures, the judged
-    quantity is the distance below the limit. Arguments that rarely change come first.
+    reads of the drives and for its own work; behind the outputs of the amplifiers `u` has the efforts from
+    outside, where there are some: they are held over all ticks of the slice. Every tick enters the tally
+    (4, w): `ends` (2, n) are the ranges of the joints, `full` (w,) are the values that count as limits; for
+    pressures, the judged quantity is the distance below the limit. Arguments that rarely change come first.
     """
     n, traits = structure.n, law.traits
     layout = StateLayout.of(structure, traits)
@@ -80,7 +88,7 @@ def run_slice(
     values, ref, pending, memory, par, frame, stages, now, ends, full, plant_steps, period, constants, load,
     q_ref, qd_ref, qdd_ref, aux, log, tick, decimation, log_row, tally,
 ):
-    x, u = values[:{size}], values[{size}:{size + n}]
+    x, u = values[:{size}], values[{size}:{size + (1 + outside_rows) * n}]
     seen, out = frame[:3], frame[3]{rows}
     y, k1, k2, k3, k4 = stages[0], stages[1], stages[2], stages[3], stages[4]
     h = period / plant_steps

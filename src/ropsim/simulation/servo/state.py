@@ -15,9 +15,10 @@ class StateLayout:
     """Where things stand in the state vector.
 
     In order: q, qd, states of the drives, and of closed chains the coordinates that they determine, their
-    speeds and what is left between their frames; outputs of the amplifiers, the reference in force, outputs
-    of the law that do not act yet, states of the law, those of the sensors. All before the outputs of the
-    amplifiers is integrated; the others change at control ticks.
+    speeds and what is left between their frames; outputs of the amplifiers, efforts at the axes from outside
+    where something can exert them, the reference in force, outputs of the law that do not act yet, states of
+    the law, those of the sensors. All before the outputs of the amplifiers is integrated; the others change
+    at control ticks.
 
     Attributes:
         n: number of joints.
@@ -27,6 +28,7 @@ class StateLayout:
         law_rows: rows of n numbers that the law remembers.
         sensor_rows: rows of n numbers that sensors hold, or that are on their way from them.
         passive: number of coordinates that closed chains determine.
+        outside_rows: 1 where efforts from outside act on the axes, else 0.
     """
 
     n: int
@@ -36,9 +38,12 @@ class StateLayout:
     law_rows: int
     sensor_rows: int = 0
     passive: int = 0
+    outside_rows: int = 0
 
     @classmethod
-    def of(cls, structure: ArmStructure, traits: LawTraits, sensor_rows: int = 0) -> "StateLayout":
+    def of(
+        cls, structure: ArmStructure, traits: LawTraits, sensor_rows: int = 0, outside_rows: int = 0
+    ) -> "StateLayout":
         """Return the layout of an arm of this structure, with drives, under a law whose sensors keep rows."""
         chains, p = structure.drives, structure.passive
         n = len(chains)
@@ -46,12 +51,14 @@ class StateLayout:
         drives = fields(names, 2 * n)
         integrated = drives[-1].place.stop if drives else 2 * n
         integrated += 2 * p + 1 if p else 0
-        return cls(n, drives, integrated, traits.delay, len(traits.state_names), sensor_rows, p)
+        law_rows = len(traits.state_names)
+        return cls(n, drives, integrated, traits.delay, law_rows, sensor_rows, p, outside_rows)
 
     @property
     def size(self) -> int:
         """Return the length of the vector."""
-        return self.integrated + (4 + self.delay + self.law_rows + self.sensor_rows) * self.n
+        rows = 4 + self.outside_rows + self.delay + self.law_rows + self.sensor_rows
+        return self.integrated + rows * self.n
 
     @property
     def q(self) -> slice:
@@ -81,9 +88,14 @@ class StateLayout:
         return slice(self.integrated, self.integrated + self.n)
 
     @property
+    def outside(self) -> slice:
+        """Return the place of the efforts at the axes from outside; empty where nothing exerts them."""
+        return slice(self.output.stop, self.output.stop + self.outside_rows * self.n)
+
+    @property
     def reference(self) -> slice:
         """Return the place of the reference in force: coordinates, speeds and accelerations."""
-        first = self.integrated + self.n
+        first = self.outside.stop
         return slice(first, first + 3 * self.n)
 
     @property
@@ -173,6 +185,12 @@ class ServoState:
     def output(self) -> Array:
         """Return the output of the amplifiers over the last tick, in the sense of the motors, shape (n,)."""
         return self.values[self.layout.output]
+
+    def pressed(self, efforts: Array) -> "ServoState":
+        """Return the state with other efforts from outside over the next ticks [N·m | N], shape (n,)."""
+        values = self.values.copy()
+        values[self.layout.outside] = efforts
+        return ServoState(self.tick, values, self.layout)
 
     @property
     def reference(self) -> Array:

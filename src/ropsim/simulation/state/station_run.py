@@ -143,6 +143,19 @@ class StationRun:
             poses |= {names[number]: X_WB @ Pose.from_matrix(frames[number]) for number in moved}
         return poses
 
+    def external_frames(self, q: Array) -> dict[str, Array]:
+        """Return the poses X_WL of the links that external axes move, shape (4, 4), by name.
+
+        Args:
+            q: joint coordinates [rad | m], shape (n,).
+        """
+        robot = self.station.robot
+        moved = external_links(robot) if robot.external else ()
+        if not moved:
+            return {}
+        X_WB, frames = self.station.X_WB.matrix(), frames_batch(robot, q[None])[0]
+        return {link_name(number + 1, self.station.name): X_WB @ frames[number] for number in moved}
+
     def forget(self, due: int) -> None:
         """Drop where the arm was before a tick of the cell's clock, less the memory of its sensors."""
         tick = due // self.cell_ticks - self.memory

@@ -9,6 +9,8 @@ from ropsim.simulation.records.past import Past
 from ropsim.simulation.records.row_log import MOST_ROWS, RowLog
 from ropsim.simulation.records.tally import Tally
 from ropsim.simulation.records.tally_kernel import enter_rows
+from ropsim.simulation.state.touching import Touching
+from ropsim.simulation.station.wrench_log import WrenchLog
 from ropsim.spatial import Array
 
 
@@ -20,9 +22,21 @@ class KinematicPlant:
         q: joint coordinates at time 0 [rad | m], shape (n,).
         record_ticks: control ticks between two recorded rows.
         most_rows: rows beyond which every second one is dropped.
+        touching: meant contacts, whose wrench is recorded and moves nothing; None where there are none.
+        period: of a control tick [s].
     """
 
-    def __init__(self, robot: RobotModel, q: Array, record_ticks: int, most_rows: int = MOST_ROWS) -> None:
+    def __init__(
+        self,
+        robot: RobotModel,
+        q: Array,
+        record_ticks: int,
+        most_rows: int = MOST_ROWS,
+        touching: Touching | None = None,
+        period: float = 1e-3,
+    ) -> None:
+        self._half = 0.5 * period
+        self._pressed = WrenchLog(touching, 0, record_ticks, most_rows) if touching is not None else None
         self._limits = np.array((robot.lower_limits, robot.upper_limits))
         self._q = np.array(q)
         self._qd = np.zeros(len(q))
@@ -53,7 +67,7 @@ class KinematicPlant:
     @property
     def wrench(self) -> Array:
         """Return the contact force [N] and moment [N·m] at the mechanical interface; see `Plant.wrench`."""
-        return np.zeros(6)
+        return self._pressed.wrench if self._pressed else np.zeros(6)
 
     @property
     def plant_steps(self) -> int:
@@ -78,6 +92,7 @@ class KinematicPlant:
     def follow(self, reference: JointReference, payload: Payload) -> None:
         """Advance to the end of `reference`; the payload changes nothing here."""
         del payload
+        self._press(reference.q, reference.qd)
         table, row = self._log.claim(self._tick, reference.ticks)
         self._judge(reference.q, reference.qd, table, row, -(self._tick + 1) % self._log.decimation)
         self._past.enter(self._tick + 1, reference.q)
@@ -88,6 +103,7 @@ class KinematicPlant:
     def hold(self, q: Array, ticks: int, payload: Payload) -> None:
         """Stand still at `q` for `ticks` control ticks: a single row represents all holds there."""
         del payload
+        self._press(np.tile(q, (ticks, 1)), np.zeros((ticks, len(q))))
         table, row = self._log.claim(self._tick, ticks)
         if not (self._stands and np.array_equal(q, self._q)):
             self._q, self._qd = np.array(q), np.zeros(len(q))
@@ -97,6 +113,18 @@ class KinematicPlant:
             self._stands = True
         table[row : self._log.rows] = self._row
         self._tick += ticks
+
+    def _press(self, q: Array, qd: Array) -> None:
+        """Enter the wrench of the next ticks, at coordinates and speeds at their ends, shape (k, n) each."""
+        if self._pressed is None:
+            return
+        done = 0
+        while done < len(q):
+            tick = self._tick + done
+            found = self._pressed.touching.exerted(q[done] - self._half * qd[done], qd[done], tick)
+            until = min(done + max(found.quiet, 1), len(q))
+            self._pressed.enter(tick, until - done, found.wrench)
+            done = until
 
     def _judge(self, q: Array, qd: Array, log: Array, row: int, first: int) -> None:
         """Enter coordinates and speeds of the next ticks, shape (k, n) each, into tally and log.
@@ -121,12 +149,14 @@ class KinematicPlant:
         self._past.forget(tick)
 
     def log(self) -> dict[str, Array]:
-        """Return tick, q, qd, q_ref and qd_ref."""
-        return {"tick": self._log.ticks, **self._named(self._log.table)}
+        """Return tick, q, qd, q_ref and qd_ref, and the contact wrench where something may be touched."""
+        pressed = self._pressed.channels() if self._pressed else {}
+        return {"tick": self._log.ticks, **self._named(self._log.table), **pressed}
 
     def at(self, tick: float) -> dict[str, Array]:
         """Return q, qd, q_ref and qd_ref at a tick, shape (n,)."""
-        return {name: values[0] for name, values in self._named(self._log.at(tick)[np.newaxis]).items()}
+        named = {name: values[0] for name, values in self._named(self._log.at(tick)[np.newaxis]).items()}
+        return {**named, **(self._pressed.at(tick) if self._pressed else {})}
 
     def _named(self, table: Array) -> dict[str, Array]:
         q, qd = np.ascontiguousarray(table[:, : len(self._q)]), np.ascontiguousarray(table[:, len(self._q) :])

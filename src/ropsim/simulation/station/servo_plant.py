@@ -12,13 +12,15 @@ from ropsim.planning import Sample
 from ropsim.simulation.records.plant import constant
 from ropsim.simulation.records.tally import Tally
 from ropsim.simulation.servo.checks import check_signals
-from ropsim.simulation.servo.kept_drives import driven_anew
+from ropsim.simulation.servo.kept_drives import Driving, driven_anew
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.servo import Servo
 from ropsim.simulation.servo.state import ServoState
 from ropsim.simulation.servo.tick_recorder import TickRecorder
 from ropsim.simulation.state.past_values import memory_ticks
 from ropsim.simulation.state.run_options import RunOptions
+from ropsim.simulation.state.touching import Touching
+from ropsim.simulation.station.wrench_log import WrenchLog
 from ropsim.spatial import Array
 
 
@@ -31,6 +33,7 @@ class ServoPlant:
         payload: body at the mechanical interface at time 0.
         options: the joint controller and how densely to record.
         read: delivers the signals that the law reads, by name at a time [s].
+        touching: meant contacts; None where there are none.
 
     Raises:
         LawError: C602, the law reads a signal that the cell does not have.
@@ -43,9 +46,13 @@ class ServoPlant:
         payload: Payload,
         options: RunOptions,
         read: Callable[[str, float], Sample],
+        touching: Touching | None = None,
     ) -> None:
         robot, law = station.robot, options.laws.get(station.name)
-        self._name, self._servo = station.name, Servo.build(robot, station.controller, law)
+        self._name, self._servo = (
+            station.name,
+            Servo.build(robot, station.controller, law, outside_rows=0 if touching is None else 1),
+        )
         self._drive = driven_anew if law or self._servo.python_law else options.drive
         self._read = read
         if options.sensors is None:
@@ -55,6 +62,9 @@ class ServoPlant:
         others = len(cell.stations) + len(cell.devices) > 1
         kind = TickRecorder if others or memory_ticks(cell, self._servo.control_hz) else Recorder
         self._recorder = kind(robot, self._state, record_ticks, options.most_rows)
+        self._pressed = None
+        if touching is not None:
+            self._pressed = WrenchLog(touching, self._state.tick, record_ticks, options.most_rows)
         self._is_lost = False
 
     @property
@@ -85,7 +95,7 @@ class ServoPlant:
     @property
     def wrench(self) -> Array:
         """Return the contact force [N] and moment [N·m] at the mechanical interface; see `Plant.wrench`."""
-        return np.zeros(6)
+        return self._pressed.wrench if self._pressed else np.zeros(6)
 
     @property
     def plant_steps(self) -> int:
@@ -105,29 +115,59 @@ class ServoPlant:
         """
         if self._is_lost:
             self._recorder.freeze(self._state, reference.ticks)
+            if self._pressed:
+                self._pressed.enter(self._state.tick, reference.ticks, np.zeros(6))
             self._state = replace(self._state, tick=self._state.tick + reference.ticks)
             return
+        first = self._state.tick
         try:
-            self._state = self._driven(reference, payload)
+            self._drive_along(reference, payload)
         except RopsimError:
             self._is_lost = True
-            self._go_as_far_as_possible(reference, payload)
+            self._go_as_far_as_possible(reference, payload, first)
             raise
 
-    def _go_as_far_as_possible(self, reference: JointReference, payload: Payload) -> None:
-        """Advance to the end of the last tick at which nothing is wrong, by halves."""
-        sound, wrong = 0, reference.ticks
-        while wrong - sound > 1:
-            middle = (sound + wrong) // 2
+    def _go_as_far_as_possible(self, reference: JointReference, payload: Payload, first: int) -> None:
+        """Advance to the end of the last tick at which nothing is wrong, by halves.
+
+        Args:
+            reference: that could not be followed to its end.
+            payload: body at the mechanical interface.
+            first: tick at which it begins.
+        """
+        wrong = first + reference.ticks
+        while wrong - self._state.tick > 1:
+            middle = (self._state.tick + wrong) // 2
             try:
-                self._state = self._driven(reference.part(sound, middle), payload)
-                sound = middle
+                self._drive_along(reference.part(self._state.tick - first, middle - first), payload)
             except RopsimError:
                 wrong = middle
 
-    def _driven(self, reference: JointReference, payload: Payload) -> ServoState:
-        aux = self._signals(reference.ticks)
-        return self._drive(self._name, self._servo, self._state, reference, payload, self._recorder, aux)
+    def _drive_along(self, reference: JointReference, payload: Payload) -> None:
+        """Follow a reference in one compiled call, or tick by tick while something may be touched."""
+        signals = self._signals(reference.ticks)
+        if self._pressed is None:
+            self._state = self._driven(self._drive, reference, payload, signals)
+            return
+        done, half = 0, 0.5 * self._servo.period
+        while done < reference.ticks:
+            state = self._state
+            found = self._pressed.touching.exerted(state.q + half * state.qd, state.qd, state.tick)
+            until = min(done + max(found.quiet, 1), reference.ticks)
+            self._state = state.pressed(found.efforts)
+            drive = self._drive if found.quiet > 1 else driven_anew
+            try:
+                self._state = self._driven(drive, reference.part(done, until), payload, signals[done:until])
+            except RopsimError:
+                self._state = state
+                raise
+            self._pressed.enter(state.tick, until - done, found.wrench)
+            done = until
+
+    def _driven(
+        self, drive: Driving, reference: JointReference, payload: Payload, signals: Array
+    ) -> ServoState:
+        return drive(self._name, self._servo, self._state, reference, payload, self._recorder, signals)
 
     def hold(self, q: Array, ticks: int, payload: Payload) -> None:
         """Advance by `ticks` control ticks with a constant reference."""
@@ -135,11 +175,13 @@ class ServoPlant:
 
     def log(self) -> dict[str, Array]:
         """Return the recorded channels, and their ticks as `tick`."""
-        return {"tick": self._recorder.ticks, **self._recorder.channels()}
+        pressed = self._pressed.channels() if self._pressed else {}
+        return {"tick": self._recorder.ticks, **self._recorder.channels(), **pressed}
 
     def at(self, tick: float) -> dict[str, Array]:
         """Return the recorded channels at a tick, linear between two rows, shape (n,) each."""
-        return self._recorder.at(tick)
+        pressed = self._pressed.at(tick) if self._pressed else {}
+        return {**self._recorder.at(tick), **pressed}
 
     def q_at(self, tick: float) -> Array:
         """Return the attained joint coordinates at a tick that is not forgotten [rad | m], shape (n,)."""

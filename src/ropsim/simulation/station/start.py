@@ -27,6 +27,8 @@ from ropsim.simulation.state.past_values import memory_ticks
 from ropsim.simulation.state.run_options import RunOptions
 from ropsim.simulation.state.sensing import Senses
 from ropsim.simulation.state.station_run import StationRun
+from ropsim.simulation.state.touching import Touching, touching_of
+from ropsim.simulation.station.contact_stiffness import stiff_findings
 from ropsim.simulation.station.kinematic_plant import KinematicPlant
 from ropsim.simulation.station.own_entities import station_chain, station_sensors
 from ropsim.simulation.station.servo_plant import ServoPlant
@@ -56,8 +58,9 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         name: Senses(options.sensors or station_sensors(cell, station, sensors), name)
         for name, station in cell.stations.items()
     }
+    touchings = {name: touching_of(cell, name) for name in cell.stations}
     stations = {
-        name: _station_run(cell, station, hz, scenery, options, senses[name])
+        name: _station_run(cell, station, hz, scenery, options, (senses[name], touchings[name]))
         for name, station in cell.stations.items()
     }
     devices = {name: _device_run(cell, device, hz) for name, device in cell.devices.items()}
@@ -80,7 +83,12 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         ordered=options.ordered,
         plan=options.plan,
         watch=options.watch,
-        findings=[*findings, *undriven(cell, options.fidelity), *steep_findings(cell, options.fidelity)],
+        findings=[
+            *findings,
+            *undriven(cell, options.fidelity),
+            *steep_findings(cell, options.fidelity),
+            *stiff_findings(cell, options.fidelity),
+        ],
         placements=list(at_start(scenery.tree, parts, scenery.objects)),
         tracks={f"signal.{name}": signal_track(signal, hz) for name, signal in cell.signals.items()},
         inputs=list(inputs),
@@ -92,6 +100,9 @@ def start_run(cell: Cell, options: RunOptions) -> CellRun:
         run.stop_from(tick_at(options.stopped, hz))
     for one in senses.values():
         one.run = run
+    for touching in touchings.values():
+        if touching is not None:
+            touching.run = run
     return run
 
 
@@ -116,7 +127,7 @@ def _station_run(
     hz: int,
     scenery: Scenery,
     options: RunOptions,
-    senses: Senses,
+    around: tuple[Senses, Touching | None],
 ) -> StationRun:
     mounted = station.tools.get(station.default_tool)
     load = payload({}, scenery.parts, mounted)
@@ -124,7 +135,7 @@ def _station_run(
     at = StationRun(
         station=station,
         chain=options.chains.get(station.name) or station_chain(cell, station),
-        plant=_plant(cell, station, load, options, senses),
+        plant=_plant(cell, station, load, options, around),
         q_command=frozen(station.q_start),
         tool=mounted,
         tool_frames=ToolFrames.beginning_with(mounted.X_MT if mounted else Pose()),
@@ -135,6 +146,8 @@ def _station_run(
     )
     if options.longest_step is not None:
         at.stride = max(1, round(options.longest_step * control_hz))
+    if cell.contacts and cell.devices:  # a device may begin to move what is touched
+        at.stride = station.controller.rates.interpolation_ticks
     if options.watch.may_press:  # any intervention acts within an interpolation tick
         at.stride = station.controller.rates.interpolation_ticks
     for name, tool in station.tools.items():
@@ -149,9 +162,14 @@ def _station_run(
     return at
 
 
-def _plant(cell: Cell, station: Station, load: Payload, options: RunOptions, senses: Senses) -> Plant:
+def _plant(
+    cell: Cell, station: Station, load: Payload, options: RunOptions, around: tuple[Senses, Touching | None]
+) -> Plant:
+    senses, touching = around
     if options.fidelity is Fidelity.KINEMATIC or not station.robot.drives:
-        record_ticks = options.record_ticks(station.controller.rates.control_hz)
-        return KinematicPlant(station.robot, station.q_start, record_ticks, options.most_rows)
+        rates = station.controller.rates
+        record_ticks = options.record_ticks(rates.control_hz)
+        at, most = station.q_start, options.most_rows
+        return KinematicPlant(station.robot, at, record_ticks, most, touching, rates.control_period)
     check_moved_masses(station.robot)
-    return ServoPlant(cell, station, load, options, senses.read)
+    return ServoPlant(cell, station, load, options, senses.read, touching)

@@ -9,7 +9,7 @@ import numpy as np
 from ropsim.collision import COARSE, Collisions, Nearness, Pair
 from ropsim.core import frozen_dataclass
 from ropsim.flow import Contact, Event, Recording, body_title
-from ropsim.model import WORLD, Body, BodyKind, Cell
+from ropsim.model import WORLD, Body, BodyKind, Cell, meant_depths
 from ropsim.simulation.ways.approaches import Nearest, TrackPairs
 from ropsim.simulation.ways.deep_rows import deep_rows, nearness_at
 from ropsim.simulation.ways.episodes import PairRows, pair_rows
@@ -71,8 +71,10 @@ def contacts_of(
         at_start: pairs that are in each other at the start; one that never parts is drawn so.
     """
     bodies = solids.tree.by_name()
+    meant = meant_depths(cell)
     limits = {
-        pair: _allowed(bodies, _bodies_of(checked, pair), cell) for pair in {*seen.episodes[:, 0].tolist()}
+        pair: _allowed(bodies, _bodies_of(checked, pair), cell, meant)
+        for pair in {*seen.episodes[:, 0].tolist()}
     }
     deep: dict[Pair, list[PairRows]] = defaultdict(list)
     near: dict[Pair, list[PairRows]] = defaultdict(list)
@@ -82,7 +84,7 @@ def contacts_of(
         if inside.any():
             deep[key].append(one.at(inside))
         close = np.isfinite(one.gaps) & (one.gaps <= checked.pairs[one.pair, 6])
-        if checked.pairs[one.pair, 6] > 0.0 and close.any():
+        if checked.pairs[one.pair, 6] > 0.0 and close.any() and frozenset(key) not in meant:
             near[key].append(one.at(close))
     places = _Places(solids, checked, recording, cell, bodies)
     last = len(recording.time) - 1
@@ -127,8 +129,12 @@ def _ordered(checked: TrackPairs, bodies: Mapping[str, Body], pair: int) -> Pair
     return tracks[0].body, tracks[1].body
 
 
-def _allowed(bodies: Mapping[str, Body], pair: Pair, cell: Cell) -> float:
-    """Return how deep two bodies may be in each other [m]."""
+def _allowed(
+    bodies: Mapping[str, Body], pair: Pair, cell: Cell, meant: Mapping[frozenset[str], float]
+) -> float:
+    """Return how deep two bodies may be in each other [m]; `meant` has the depths of meant contacts."""
+    if frozenset(pair) in meant:
+        return meant[frozenset(pair)]
     with_part = any(bodies[name].kind is BodyKind.PART for name in pair)
     return max(cell.supports.depth, TOUCHING) if with_part else TOUCHING
 
