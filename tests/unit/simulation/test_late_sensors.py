@@ -17,6 +17,7 @@ from ropsim.model import (
     FixedObject,
     ForceTorqueSensor,
     JointSensors,
+    MeantContact,
     Payload,
     Sensor,
     SensorErrors,
@@ -28,7 +29,7 @@ from ropsim.model import (
 from ropsim.simulation import RunOptions, run
 from ropsim.simulation.state.carried_load import carried_load
 from ropsim.spatial import Pose
-from support.cells import one_station
+from support.cells import one_station, with_station
 from support.compiled import code_of
 from support.printed import si_numbers
 
@@ -44,11 +45,14 @@ TICK = 4e-3
 PRINTED = 1e-6
 
 
-def cell_with(controller: ControllerModel = CONTROLLER, **sensors: Sensor) -> Cell:
+def cell_with(
+    controller: ControllerModel = CONTROLLER, contacts: tuple[MeantContact, ...] = (), **sensors: Sensor
+) -> Cell:
     signals = {
         name: Signal(name, is_input=True, analog=True, sensor=sensor) for name, sensor in sensors.items()
     }
-    tool = Tool("load", mass=LOAD.mass, com=LOAD.com, inertia=LOAD.inertia)
+    tip = Shape(Box((0.03, 0.03, 0.1)), Pose(np.array([0.0, 0.0, -0.05])))
+    tool = Tool("load", mass=LOAD.mass, com=LOAD.com, inertia=LOAD.inertia, shapes=(tip,))
     return one_station(
         "c",
         ROBOT,
@@ -58,6 +62,7 @@ def cell_with(controller: ControllerModel = CONTROLLER, **sensors: Sensor) -> Ce
         start=ROBOT.home,
         signals=signals,
         objects=(TABLE,),
+        contacts=contacts,
     )
 
 
@@ -101,12 +106,8 @@ def test_a_run_with_errors_is_the_same_each_time_and_another_one_with_another_se
     lines = (ABOVE, DOWN, "print seen.z")
     noisy = cell_with(height=distance(noise=1e-3, period=0.008, delay=0.006))
     assert recorded(noisy, *lines) == recorded(noisy, *lines)
-    other = cell_with(replace(CONTROLLER, sensors=JointSensors(seed=5)), **_sensors(noisy))
+    other = with_station(noisy, controller=replace(CONTROLLER, sensors=JointSensors(seed=5)))
     assert told(recorded(other, *lines)) != told(recorded(noisy, *lines))
-
-
-def _sensors(cell: Cell) -> dict[str, Sensor]:
-    return {name: one.sensor for name, one in cell.signals.items() if one.sensor is not None}
 
 
 def test_what_is_read_does_not_depend_on_how_often_it_is_asked_for() -> None:
@@ -143,6 +144,25 @@ def test_a_compensated_sensor_reads_nothing_in_the_air() -> None:
     cell = cell_with(fz=ForceTorqueSensor("", WrenchAxis.Z))
     recording = recorded(cell, ABOVE, "lin (500, 0, 200) speed 100 mm/s until fz > 1 N", "print fz")
     assert told(recording) == [0.0]
+
+
+@pytest.mark.parametrize("fidelity", Fidelity)
+def test_a_late_force_is_the_contact_force_of_that_time(fidelity: Fidelity) -> None:
+    delay = 0.024
+    contact = MeantContact("press", "load", ("table",), 5e4, 100.0)
+    late = ForceTorqueSensor("", WrenchAxis.Z, errors=SensorErrors(delay=delay))
+    cell = cell_with(contacts=(contact,), fz=late)
+    down = "lin (500, 0, 99) speed 10 mm/s until fz > 20 N store touch"
+    recording = recorded(cell, "mov (500, 0, 103)", down, "wait 0.1 s", "print touch.z", fidelity=fidelity)
+    channel, wrench = recording.channels["signal.fz"], recording.rows("contact_wrench")
+    assert channel.times is not None
+    seen = [(round(1000 * time), value) for time, value in zip(channel.times, channel.values, strict=True)]
+    pressed = [(tick, value) for tick, value in seen if value > 0.0]
+    assert len(pressed) >= 3
+    for tick, value in pressed:
+        assert value == pytest.approx(wrench[tick - round(delay * 1000), 2], rel=0.02, abs=0.05)
+    assert pressed[-1][1] > 20.0
+    assert told(recording)[0] < 0.1 - 20.0 / contact.stiffness - 0.5 * 0.01 * delay
 
 
 def test_the_load_of_a_moving_arm_is_what_its_joints_feel() -> None:

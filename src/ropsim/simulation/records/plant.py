@@ -75,6 +75,10 @@ class Plant(Protocol):
         """
         ...
 
+    def wrench_at(self, tick: float) -> Array:
+        """Return the contact wrench over the control tick that ends at a tick, which is not forgotten."""
+        ...
+
     def forget(self, tick: int) -> None:
         """Allow discarding positions of the arm before a tick."""
         ...

@@ -16,7 +16,6 @@ from ropsim.planning import (
     is_our_own,
     raised,
 )
-from ropsim.simulation.records.plant import CONTACT_WRENCH
 from ropsim.simulation.state.carried_load import carried_load
 from ropsim.simulation.state.cell_run import CellRun
 from ropsim.simulation.state.station_run import StationRun
@@ -58,7 +57,7 @@ class SensedRun:
             tick = self._due / other.cell_ticks
             row = other.plant.at(tick)
             q, qd, effort = other.plant.q_at(tick), row["qd"], row.get("tau", np.zeros(robot.n))
-            wrench = row.get(CONTACT_WRENCH, np.zeros(6))
+            wrench = other.plant.wrench_at(tick)
         X_WM = other.station.X_WB @ forward(robot, q)
         X_WT = X_WM @ other.tool_frames.at(tick + 1)  # from this tick on
         return ArmState(name, self._due / self.run.hz, robot, payload, q, qd, effort, X_WT, wrench, X_WM)

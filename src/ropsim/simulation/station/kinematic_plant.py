@@ -144,9 +144,15 @@ class KinematicPlant:
         """Return the joint coordinates at a tick that is not forgotten [rad | m], shape (n,)."""
         return self._past.at(tick)
 
+    def wrench_at(self, tick: float) -> Array:
+        """Return the contact wrench at a tick that is not forgotten, as `wrench`; shape (6,)."""
+        return self._pressed.wrench_at(tick) if self._pressed else np.zeros(6)
+
     def forget(self, tick: int) -> None:
         """Allow discarding positions of the arm before a tick."""
         self._past.forget(tick)
+        if self._pressed:
+            self._pressed.forget(tick)
 
     def log(self) -> dict[str, Array]:
         """Return tick, q, qd, q_ref and qd_ref, and the contact wrench where something may be touched."""

@@ -187,9 +187,15 @@ class ServoPlant:
         """Return the attained joint coordinates at a tick that is not forgotten [rad | m], shape (n,)."""
         return self._recorder.q_at(tick)
 
+    def wrench_at(self, tick: float) -> Array:
+        """Return the contact wrench at a tick that is not forgotten, as `wrench`; shape (6,)."""
+        return self._pressed.wrench_at(tick) if self._pressed else np.zeros(6)
+
     def forget(self, tick: int) -> None:
         """Allow discarding positions of the arm before a tick."""
         self._recorder.forget(tick)
+        if self._pressed:
+            self._pressed.forget(tick)
 
     def _signals(self, ticks: int) -> Array:
         """Return the signals of the law at the next ticks, shape (ticks, a); 0 where a signal is not valid.
