@@ -342,6 +342,7 @@ def test_every_example_can_be_copied(tmp_path: Path) -> None:
         "four_squares",
         "operator",
         "palletizing",
+        "peg_in_hole",
         "track_and_table",
         "two_arms",
     }
