@@ -18,6 +18,8 @@ for one in all_kernels():
 print(len(all_kernels()), "numba" in sys.modules)
 """
 IN_PYTHON = (
+    "collision/test_contact_forces.py::test_a_face_that_rests_as_a_whole_and_a_ball_have_the_stated_stiffness",
+    "collision/test_contact_forces.py::test_edges_and_corners_are_softer_as_the_manual_says",
     "simulation/test_contact_rows.py::test_a_contact_lasts_while_bodies_are_deeper_than_they_may_be",
     "simulation/test_contact_rows.py::test_the_depth_of_a_contact_is_the_greatest_of_its_rows_between_balls_on_any_ways",
     "controller/test_motion_clock.py::test_as_many_rows_are_asked_for_as_are_looked_at[700.0-0.4-30.0-30000.0]",

@@ -31,6 +31,7 @@ const RESULT: ResultFigures = {
   hints: 0,
   moves: 217,
   destinations: null,
+  contact_force: null,
 }
 const STATIONS = [{ name: 'robot', program: 'main', source: 'main.task' }]
 const RUN = { duration: 186.8, findings: [], stations: STATIONS, channels: [] } as unknown as Run

@@ -73,6 +73,18 @@ export interface PathFigure {
   readonly time: number
 }
 
+/** The greatest force of a contact. */
+export interface ForceFigure {
+  /** That force [N]. */
+  readonly max: number
+  /** On whose tool or held part. */
+  readonly station: string
+  /** Source line, from 1; 0 for none. */
+  readonly line: number
+  /** When [s]. */
+  readonly time: number
+}
+
 /** The result of a run for a strip. */
 export interface ResultFigures {
   /** How far the run can be relied on. */
@@ -113,4 +125,6 @@ export interface ResultFigures {
   readonly moves: number
   /** Of the parts; null without any. */
   readonly destinations: Destinations | null
+  /** Null where nothing was touched that pushes back. */
+  readonly contact_force: ForceFigure | null
 }

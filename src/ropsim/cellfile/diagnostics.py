@@ -1,4 +1,4 @@
-"""The kinds of mistakes in cell files, X810, X814 to X819, X825 to X827."""
+"""The kinds of mistakes in cell files, X810, X814 to X819, X825 to X827, X928."""
 
 from ropsim.core import Severity, define
 
@@ -201,6 +201,26 @@ exactly and takes none.
 ```toml
 [controller]
 file = "controllers/pi.p21"
+```
+""",
+)
+
+CONTACT_CANNOT_ACT = define(
+    "X928",
+    "contact-cannot-act",
+    Severity.ERROR,
+    "a meant contact has bodies between which no force can act",
+    """
+`[contacts.NAME]` names a tool or part (`of`) and what it is pressed on (`with`). Forces are computed from the
+shapes of both. A body cannot be pressed on itself; a body without shapes, or drawn by a mesh, has no inside
+that is known, so nothing could push back. Draw it by `shapes`: boxes, cylinders, spheres, prisms and
+bodies of revolution; a hole is the gap between several of them.
+
+```toml
+[contacts.insertion]
+of = "peg"
+with = ["block"]
+stiffness = 200   # N/mm
 ```
 """,
 )

@@ -104,6 +104,11 @@ class StationView:
         return Peak(float(values[index]), float(self.time[index]), self.line(index))
 
 
+def contact_forces(station: StationView) -> Array:
+    """Return the size of the contact force on the tool of a station [N], shape (n,); NaN where unknown."""
+    return np.asarray(np.linalg.norm(station.matrix("contact_wrench", 6)[:, :3], axis=1))
+
+
 def labelled(recording: Recording, station: str, text: str) -> str:
     """Return a text with the name of a station before it where the run has several ones."""
     return f"{station} {text}" if station and len(recording.facts.stations) > 1 else text

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 
-from ropsim.cellfile.objects.contact_diagnostics import CONTACT_CANNOT_ACT
+from ropsim.cellfile.diagnostics import CONTACT_CANNOT_ACT
 from ropsim.model import (
     FLOOR,
     BodyTree,

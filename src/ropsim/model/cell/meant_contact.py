@@ -13,6 +13,8 @@ FLOOR = "floor"
 class MeantContact:
     """A tool or part that other bodies push back when it is pressed on them.
 
+    Only contacts that are declared act; all others are found after a run, as collisions.
+
     Attributes:
         name: unique in the cell.
         moving: name of the tool or part.

@@ -9,7 +9,7 @@ from ropsim.dynamics import mass_matrix
 from ropsim.flow import Fidelity
 from ropsim.kinematics import jacobian_at
 from ropsim.model import ROBOT, Cell, MeantContact, Payload, Station, Tool, combine
-from ropsim.simulation.diagnostics.contact_diagnostics import STIFF_CONTACT
+from ropsim.simulation.servo.diagnostics import STIFF_CONTACT
 from ropsim.spatial import Pose
 
 

@@ -21,6 +21,7 @@ from ropsim.views.words.figures import (
     PERCENT,
     UNKNOWN,
     coordinate_scale,
+    digits,
     energy,
     percent,
     power,
@@ -45,6 +46,12 @@ def key_figures(summary: Summary) -> str:
             *(_waiting_figure(summary) if len(summary.stations) == 1 else ()),
             *_work(summary, _cycle_words(summary)),
             *(card for one in summary.stations if len(summary.stations) == 1 for card in _energy_figure(one)),
+            *(
+                card
+                for one in summary.stations
+                if len(summary.stations) == 1
+                for card in _contact_figure(one)
+            ),
             *_destinations_figure(summary),
             *_device_figures(summary.devices),
             *_path_figure(summary),
@@ -63,6 +70,7 @@ def station_figures(station: StationSummary, summary: Summary) -> str:
             *_waiting_figure(station),
             *_work(station, OF_CYCLE),
             *_energy_figure(station),
+            *_contact_figure(station),
             *_path_figure(station),
             *_joint_figures(station.joints),
         ],
@@ -132,6 +140,19 @@ def _energy_figure(station: StationSummary) -> list[Card]:
         return [] if station.is_driven else [("energy", UNKNOWN, "without drives")]
     detail = f"drawn, {energy(found.given_back)} given back; at most {power(found.peak.value)}"
     return [("energy", energy(found.drawn), detail)]
+
+
+def _contact_figure(station: StationSummary) -> list[Card]:
+    peak = station.contact
+    if peak is None:
+        return []
+    return [
+        (
+            "contact force, max",
+            f"{digits(peak.value)} N",
+            f"at {seconds(peak.time)} s{place_text(peak.line, 0)}",
+        )
+    ]
 
 
 def _destinations_figure(summary: Summary) -> list[Card]:

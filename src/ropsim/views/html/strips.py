@@ -4,7 +4,7 @@ import numpy as np
 
 from ropsim.flow import ChannelGroup, MoveEvent, Recording, TaskEvent
 from ropsim.spatial import Array
-from ropsim.views.channels import labelled, series, station_views
+from ropsim.views.channels import contact_forces, labelled, series, station_views
 from ropsim.views.chart.chart import Interval, SpanRow, TimeChart, Trace, TraceRow, time_chart
 from ropsim.views.markup.markup import text
 from ropsim.views.summary.summary import Summary
@@ -77,6 +77,10 @@ def signals(recording: Recording) -> str:
         payload = station.series("payload")
         if np.any(np.isfinite(payload)):
             rows.append(TraceRow(station.label("payload"), "kg", (Trace("payload", payload),), height=40.0))
+        force = contact_forces(station)
+        if np.any(np.isfinite(force)):
+            trace = Trace("contact force", force)
+            rows.append(TraceRow(station.label("contact force"), "N", (trace,), height=40.0))
     names = [name for name, one in recording.channels.items() if one.group is ChannelGroup.SIGNALS]
     rows += [_row(recording, name, name.removeprefix("signal.")) for name in names[:SHOWN_SIGNALS]]
     if not rows:

@@ -91,6 +91,23 @@ class PathFigure:
 
 
 @frozen_dataclass
+class ForceFigure:
+    """The greatest force of a contact.
+
+    Attributes:
+        max: that force [N].
+        station: on whose tool or held part.
+        line: source line, from 1; 0 for none.
+        time: when [s].
+    """
+
+    max: float
+    station: str
+    line: int
+    time: float
+
+
+@frozen_dataclass
 class ResultFigures:
     """The result of a run for a strip.
 
@@ -113,6 +130,7 @@ class ResultFigures:
         hints: number of them.
         moves: number of moves carried out.
         destinations: of the parts; None without any.
+        contact_force: None where nothing was touched that pushes back.
     """
 
     verdict: VerdictText
@@ -131,3 +149,4 @@ class ResultFigures:
     hints: int
     moves: int
     destinations: Destinations | None
+    contact_force: ForceFigure | None = None

@@ -10,7 +10,14 @@ from ropsim.views.summary.joint_summary import (
     closest_to_torque_limit,
 )
 from ropsim.views.summary.path_summary import PathMove
-from ropsim.views.summary.result import MarginFigure, PathFigure, PeakFigure, ResultFigures, SettlingFigure
+from ropsim.views.summary.result import (
+    ForceFigure,
+    MarginFigure,
+    PathFigure,
+    PeakFigure,
+    ResultFigures,
+    SettlingFigure,
+)
 from ropsim.views.summary.summary import Summary
 from ropsim.views.summary.verdict import verdict
 
@@ -36,7 +43,17 @@ def result_figures(summary: Summary) -> ResultFigures:
         hints=summary.hint_count,
         moves=sum(summary.moves.values()),
         destinations=summary.destinations,
+        contact_force=_contact_force(summary),
     )
+
+
+def _contact_force(summary: Summary) -> ForceFigure | None:
+    found = [
+        ForceFigure(one.contact.value, one.facts.name, one.contact.line, one.contact.time)
+        for one in summary.stations
+        if one.contact
+    ]
+    return max(found, key=lambda one: one.max, default=None)
 
 
 def _settling(settling: Settling) -> SettlingFigure:

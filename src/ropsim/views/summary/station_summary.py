@@ -30,7 +30,7 @@ from ropsim.views.accuracy import (
     corner_figures,
     stop_figures,
 )
-from ropsim.views.channels import StationView, station_views
+from ropsim.views.channels import Peak, StationView, contact_forces, station_views
 from ropsim.views.cycle import CycleTime, summarize_cycle
 from ropsim.views.summary.device_summary import TaskSummary, summarize_tasks
 from ropsim.views.summary.drive_use import DriveUse, summarize_drives
@@ -70,6 +70,7 @@ class StationSummary:
             nothing is known of settling, torques and accuracy.
         energy: that its drives draw; None where their power is not known, as in a kinematic run.
         drives: how far it uses each of them; none in a kinematic run.
+        contact: greatest force [N] of what its tool or held part was pressed on; None where nothing was.
     """
 
     facts: StationFacts
@@ -92,6 +93,7 @@ class StationSummary:
     is_driven: bool = True
     energy: EnergySummary | None = None
     drives: tuple[DriveUse, ...] = ()
+    contact: Peak | None = None
 
 
 class Figures(Protocol):
@@ -238,7 +240,14 @@ def _station(recording: Recording, facts: StationFacts, cycle: CycleTime) -> Sta
         is_driven=any(station.is_driven for station in views),
         energy=_energy(views, cycle),
         drives=tuple(one for station in views for one in summarize_drives(station)),
+        contact=next((_contact(station) for station in views), None),
     )
+
+
+def _contact(station: StationView) -> Peak | None:
+    """Return the greatest contact force of a station; None where nothing was touched."""
+    peak = station.peak(contact_forces(station))
+    return peak if peak.value > 0.0 else None
 
 
 def _energy(views: Sequence[StationView], cycle: CycleTime) -> EnergySummary | None:

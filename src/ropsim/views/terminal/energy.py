@@ -1,4 +1,4 @@
-"""Energy and use of the drives, as text for a terminal."""
+"""Energy and use of the drives, and contact forces, as text for a terminal."""
 
 from ropsim.views.summary.drive_use import DriveUse
 from ropsim.views.summary.energy_summary import EnergySummary
@@ -33,6 +33,16 @@ def energy_lines(station: StationSummary) -> list[str]:
         shares = ", ".join(f"line {line.line} {percent(found.share(line))}" for line in most)
         lines.append(f"             most: {shares}")
     return lines
+
+
+def contact_lines(station: StationSummary) -> list[str]:
+    """Return the greatest contact force of a station; nothing where it touched nothing."""
+    peak = station.contact
+    if peak is None:
+        return []
+    return [
+        f"contact      at most {digits(peak.value)} N at {seconds(peak.time)} s{place_text(peak.line, 0)}"
+    ]
 
 
 def drive_lines(drives: tuple[DriveUse, ...], style: Style) -> list[str]:

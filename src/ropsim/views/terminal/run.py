@@ -12,7 +12,7 @@ from ropsim.views.summary.verdict import Verdict, verdict
 from ropsim.views.terminal.accuracy import accuracy_lines
 from ropsim.views.terminal.columns import Style, Tone, paint
 from ropsim.views.terminal.cycle import cycle_lines
-from ropsim.views.terminal.energy import drive_lines, energy_lines
+from ropsim.views.terminal.energy import contact_lines, drive_lines, energy_lines
 from ropsim.views.terminal.figures import (
     COLUMNS,
     cycle_time_line,
@@ -55,7 +55,7 @@ def terminal_report(summary: Summary, style: Style) -> str:
 def _whole(summary: Summary, style: Style) -> list[list[str]]:
     """Return the sections of a run with one station."""
     time = [cycle_time_line(summary, summary, style), *effort_lines(summary, summary)]
-    time += [line for one in summary.stations for line in energy_lines(one)]
+    time += [line for one in summary.stations for line in (*energy_lines(one), *contact_lines(one))]
     time += _cell_lines(summary)
     joints = [*joint_lines(summary.joints, style), *legend(summary.joints)]
     cycles = [cycle_lines(one.cycle, style) for one in summary.stations]
@@ -73,6 +73,7 @@ def _blocks(summary: Summary, style: Style) -> list[list[str]]:
                 cycle_time_line(one, summary, style),
                 *effort_lines(one, summary),
                 *energy_lines(one),
+                *contact_lines(one),
             ],
             task_lines(one.tasks, style),
             cycle_lines(one.cycle, style),
