@@ -1,4 +1,4 @@
-"""A force held against a table that pushes back, with drives and arm: at the gain of the manual, and far beyond."""
+"""A force held against a table that pushes back, at the gain of the manual and far beyond it."""
 
 from functools import cache
 
