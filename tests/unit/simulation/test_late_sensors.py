@@ -131,13 +131,15 @@ def test_the_seed_is_one_for_sensors_inside_and_outside() -> None:
 NOISY = distance(noise=1e-3)
 
 
-def test_a_tool_at_rest_is_carried_by_its_weight() -> None:
+@pytest.mark.parametrize("fidelity", Fidelity)
+def test_a_tool_at_rest_is_carried_by_its_weight(fidelity: Fidelity) -> None:
     forces = [
         ForceTorqueSensor("", axis, compensated=False) for axis in (WrenchAxis.X, WrenchAxis.Y, WrenchAxis.Z)
     ]
     cell = cell_with(fx=forces[0], fy=forces[1], fz=forces[2])
-    found = told(recorded(cell, ABOVE, "wait 0.1 s", "print fx, fy, fz"))
-    assert found == pytest.approx([0.0, 0.0, -LOAD.mass * 9.81], abs=1e-5)
+    found = told(recorded(cell, ABOVE, "wait 0.5 s", "print fx, fy, fz", fidelity=fidelity))
+    still = 1e-5 if fidelity is Fidelity.KINEMATIC else 0.02  # [N]; drives hold to some 0.01 m/s²
+    assert found == pytest.approx([0.0, 0.0, -LOAD.mass * 9.81], abs=still)
 
 
 def test_a_compensated_sensor_reads_nothing_in_the_air() -> None:
