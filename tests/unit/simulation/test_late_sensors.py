@@ -19,10 +19,12 @@ from ropsim.model import (
     JointSensors,
     MeantContact,
     Payload,
+    Rates,
     Sensor,
     SensorErrors,
     Shape,
     Signal,
+    Station,
     Tool,
     WrenchAxis,
 )
@@ -30,7 +32,7 @@ from ropsim.simulation import RunOptions, run
 from ropsim.simulation.state.carried_load import carried_load
 from ropsim.spatial import Pose
 from support.cells import one_station, with_station
-from support.compiled import code_of
+from support.compiled import code_of, station_code
 from support.printed import si_numbers
 
 ROBOT = robots.load("puma560")
@@ -119,6 +121,14 @@ def test_what_is_read_does_not_depend_on_how_often_it_is_asked_for() -> None:
     assert len(set(values)) <= 6
 
 
+@pytest.mark.parametrize("fidelity", Fidelity)
+def test_slices_of_a_run_do_not_change_what_sensors_tell(fidelity: Fidelity) -> None:
+    cell = cell_with(height=distance(noise=1e-3, period=0.01, delay=0.015))
+    code = {"robot": code_of(cell, ABOVE, DOWN, "print seen.z")}
+    whole, sliced = (run(cell, code, RunOptions(fidelity, longest_step=step)) for step in (None, 0.013))
+    assert whole == sliced
+
+
 def test_the_seed_is_one_for_sensors_inside_and_outside() -> None:
     lines = (ABOVE, "print height")
     seeds = [
@@ -190,3 +200,29 @@ def _power(path: list[np.ndarray], wrench: np.ndarray) -> np.ndarray:
         omega = np.array([turn[2, 1], turn[0, 2], turn[1, 0]])
         found[joint] = wrench[:3] @ (moved.position - at.position) / step + wrench[3:] @ omega
     return found
+
+
+@pytest.mark.parametrize("fidelity", Fidelity)
+def test_the_tool_of_another_arm_is_seen_late_where_it_was(fidelity: Fidelity) -> None:
+    """The arm that is measured plans and runs a whole move ahead; it has another control rate."""
+    delay, period = 0.04, 0.02
+    sensor = DistanceSensor("left", 2.0, errors=SensorErrors(delay=delay, period=period))
+    signals = {"height": Signal("height", is_input=True, analog=True, sensor=sensor)}
+    stations = {
+        name: Station(name, ROBOT, replace(CONTROLLER, rates=Rates(hz)), X_WB=base, program=name)
+        for name, hz, base in (("left", 500, Pose()), ("right", 1000, Pose(np.array([5.0, 0.0, 0.0]))))
+    }
+    cell = Cell("c", stations, signals=signals, objects=(TABLE,))
+    looks = ["wait 0.1 s", "print height"] * 8
+    left = station_code(cell, "left", ABOVE, "lin (500, 0, 150) speed 100 mm/s")
+    right = station_code(cell, "right", *["wait 0.1 s"] * 9, *looks)
+    recording = run(cell, {"left": left, "right": right}, RunOptions(fidelity, record_hz=500))
+    q = recording.rows("left/q")
+    seen = [si_numbers(event.text)[0] for event in recording.events_of(MessageEvent)]
+    times = [event.time for event in recording.events_of(MessageEvent)]
+    assert len(seen) == 8
+    for time, found in zip(times, seen, strict=True):
+        tick = round((time - delay) * 500)
+        tick -= tick % round(period * 500)
+        assert found == pytest.approx(forward(ROBOT, q[tick]).position[2] - TOP, abs=PRINTED)
+    assert max(seen) - min(seen) > 0.05
