@@ -9,7 +9,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from ropsim.collision import ContactLaw, ContactPairs, TouchingPair, convexes
-from ropsim.model import FLOOR, Box, Cylinder, Prism, Shape, Solid, Sphere
+from ropsim.model import FLOOR, Box, Cylinder, Prism, Shape, Solid, Sphere, capsule
 from ropsim.spatial import Array
 
 STIFFNESS = 1e5
@@ -74,6 +74,23 @@ def test_edges_and_corners_are_softer_as_the_manual_says(turn: tuple[float, ...]
     low = -(corners @ Rotation.from_rotvec(turn).as_matrix().T)[:, 2].min()
     found = wrench(pair(FACES[0]), at(0.1, 0.2, TOP + low - DEPTH, np.array(turn)))
     assert found[2] == pytest.approx(share * STIFFNESS * DEPTH, rel=0.02)
+
+
+@pytest.mark.parametrize(
+    ("solid", "pose", "on", "least", "most"),
+    [
+        (FACES[1], at(0.1, 0.2, TOP + 0.01 - DEPTH, np.array([math.pi / 2.0, 0.0, 0.0])), PLATE, 0.3, 0.6),
+        (capsule(0.01, 0.05), at(0.1, 0.2, TOP + 0.035 - DEPTH), PLATE, 0.3, 0.6),
+        (Box((0.2, 0.2, 0.02)), at(0.0, 0.0, 0.06 - DEPTH), Box((0.05, 0.05, 0.1)), 1.35, 1.4),
+        (Box((0.05, 0.05, 0.02)), at(0.0, 0.0, 0.06 - DEPTH), Box((0.05, 0.05, 0.1)), 0.7, 0.72),
+    ],
+    ids=["side", "round end", "cover", "same"],
+)
+def test_other_touches_have_stiffnesses_within_what_the_manual_says(
+    solid: Solid, pose: Array, on: Solid, least: float, most: float
+) -> None:
+    found = wrench(pair(solid, SPRING, on), pose)[2] / (STIFFNESS * DEPTH)
+    assert least < found < most
 
 
 def _ways(seed: int, count: int) -> list[Array]:

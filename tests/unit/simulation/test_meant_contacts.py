@@ -12,10 +12,22 @@ from ropsim.controller import LawInput, LawTraits
 from ropsim.dynamics import inverse_dynamics
 from ropsim.flow import Recording
 from ropsim.kinematics import jacobian
-from ropsim.model import Box, Cell, Cylinder, FixedObject, MeantContact, Shape, Tool
+from ropsim.model import (
+    Box,
+    Cell,
+    Cylinder,
+    Device,
+    FixedObject,
+    Gripper,
+    MeantContact,
+    Part,
+    Shape,
+    SwitchDrive,
+    Tool,
+)
 from ropsim.simulation import Fidelity, RunOptions, run, run_collisions
 from ropsim.spatial import Array, Pose
-from support.cells import one_station
+from support.cells import one_station, with_station
 from support.compiled import code_of
 from support.pressed import GRAVITY, MASS, PIN, RADIUS, contact, pressed_cell, springs
 
@@ -179,6 +191,50 @@ def test_a_contact_that_the_control_rate_cannot_follow_is_told() -> None:
     for damping, told in ((3900.0, []), (4100.0, ["S775"])):
         found = ran(pressed_cell(contact(1e5, damping)), "wait 0.01 s").findings
         assert [one.code for one in found] == told
+
+
+def _gripping(moving: str, standing: str) -> Cell:
+    """Return a gantry with a gripper above a part that lies on the block."""
+    cell = pressed_cell(start=(0.0, 0.02))
+    tool = Tool(
+        "tip",
+        gripper=Gripper(0.1, 0.1, 5e-3),
+        shapes=(Shape(Cylinder(0.005, 0.02), Pose(np.array([0.0, 0.0, 0.01]))),),
+    )
+    part = Part("cube", np.array([0.02, 0.02, 0.02]), 0.2, Pose(np.array([0.0, 0.0, 0.02])))
+    meant = MeantContact("press", moving, (standing,), STIFFNESS, 200.0, 0.2, 5e-3)
+    return replace(with_station(cell, tools={"tip": tool}), parts=(part,), contacts=(meant,))
+
+
+def test_a_part_is_pushed_back_while_a_gripper_holds_it() -> None:
+    cell = _gripping("cube", "block")
+    lines = ("close", "mov joints(0, 40)", "mov joints(0, 19)", "wait 0.1 s", "open", "wait 0.1 s")
+    recording = ran(cell, *lines, law=None, fidelity=Fidelity.KINEMATIC)
+    force, gripper = wrenches(recording)[:, 2], recording.rows("gripper")
+    assert force[gripper == 1.0][-1] == pytest.approx(STIFFNESS * 1e-3, rel=1e-6)
+    assert force[gripper == 0.0][-1] == 0.0
+    assert force[0] == 0.0
+
+
+def test_a_tool_is_pushed_back_by_a_part_that_lies_and_not_by_the_one_it_holds() -> None:
+    cell = _gripping("tip", "cube")
+    pressing = ran(cell, "mov joints(0, 19)", "wait 0.1 s", law=None, fidelity=Fidelity.KINEMATIC)
+    assert wrenches(pressing)[-1, 2] == pytest.approx(STIFFNESS * 1e-3, rel=1e-5)  # the edges are near
+    held = ran(cell, "mov joints(0, 19)", "close", "mov joints(0, 40)", law=None, fidelity=Fidelity.KINEMATIC)
+    assert wrenches(held)[-1].tolist() == [0.0] * 6
+
+
+def test_a_device_stands_under_a_tool_and_pushes_back() -> None:
+    belt = Device(
+        "belt", robots.slide((Shape(Box((0.4, 0.2, 0.1)), Pose(np.array([0.0, 0.0, -0.05]))),)), _DOOR, Pose()
+    )
+    meant = MeantContact("press", "tip", ("belt",), STIFFNESS, 200.0)
+    cell = replace(pressed_cell(meant, objects=()), devices={"belt": belt})
+    recording = ran(cell, *DOWN, law=None, fidelity=Fidelity.KINEMATIC)
+    assert wrenches(recording)[-1, 2] == pytest.approx(STIFFNESS * 1e-3, rel=1e-6)
+
+
+_DOOR = SwitchDrive("", 0.0, 0.1, 1.0, 1.0)
 
 
 def _puma() -> Cell:

@@ -13,6 +13,7 @@ from ropsim.model import (
     WORLD,
     BodyTree,
     Cell,
+    JointType,
     MeantContact,
     RobotModel,
     body_tree,
@@ -25,7 +26,7 @@ from ropsim.simulation.state.station_run import StationRun
 from ropsim.spatial import Array, Pose
 
 OVERSPEED = 1.5
-"""Arms are at most so many times as fast as their limits."""
+"""Until it is looked at again an arm becomes at most so many times as fast as its limits, or as it is."""
 CLOSE = 1e-3
 """Bodies that are nearer are looked at in each control tick [m]."""
 _AT_INTERFACE = Pose()
@@ -89,14 +90,15 @@ class Touching:
         poses = {**held, **self._standing(self.run, at, q, tick)}
         placed = self.pairs.placed(poses)
         gap = placed.gap
-        if gap > CLOSE and self._is_carried(self.run):
+        if gap > CLOSE and self._is_carried(self.run, at, q):
             return Exerted(*nothing, 0.0, 0)
+        velocity = J @ qd
         if gap > CLOSE:
             reach = max(self._reach(name, pose, X_WM) for name, pose in held.items())
-            ticks = (gap - CLOSE) / (self._speed(robot, reach) / at.hz)
-            return Exerted(*nothing, 0.0, int(min(ticks, _STILL)))
+            present = float(np.linalg.norm(velocity[:3]) + reach * np.linalg.norm(velocity[3:]))
+            speed = OVERSPEED * max(self._speed(robot, reach), present)
+            return Exerted(*nothing, 0.0, int(min((gap - CLOSE) * at.hz / speed, _STILL)))
         R = X_WB[:3, :3]
-        velocity = J @ qd
         motion = np.array([X_WM[:3, 3], R @ velocity[:3], R @ velocity[3:]])
         found = self.pairs.pressed(placed, motion)
         in_base = np.concatenate((R.T @ found.wrench[:3], R.T @ found.wrench[3:]))
@@ -143,9 +145,9 @@ class Touching:
                 found[name] = own[seat.rides] @ seat.pose.matrix()
         return found
 
-    def _is_carried(self, run: CellRun) -> bool:
-        """Return whether a device may move something that resists, at any time."""
-        moved = {body for one in run.devices.values() for body in one.bodies}
+    def _is_carried(self, run: CellRun, at: StationRun, q: Array) -> bool:
+        """Return whether a device or external axis may move something that resists, at any time."""
+        moved = {body for one in run.devices.values() for body in one.bodies} | at.external_frames(q).keys()
         seats = [run.scenery.objects.get(name) or run.parts.seats.get(name) for name in self.resisting]
         return bool(moved & self.resisting) or any(one is not None and one.rides in moved for one in seats)
 
@@ -154,11 +156,11 @@ class Touching:
         return float(np.linalg.norm(X_WB[:3, 3] - X_WM[:3, 3])) + self.extent[name]
 
     def _speed(self, robot: RobotModel, reach: float) -> float:
-        """Return a speed that no point within reach of the mechanical interface exceeds [m/s]."""
+        """Return a speed that by the limits no point within reach of the interface exceeds [m/s]."""
         if reach not in self._fastest:
-            turning = sum(one.max_speed for one in robot.axis_joints if one.measure.name == "REVOLUTE")
+            turning = sum(one.max_speed for one in robot.axis_joints if one.measure is JointType.REVOLUTE)
             of_interface = speed_bound(robot, np.zeros(3))
-            self._fastest[reach] = OVERSPEED * (of_interface + turning * reach)
+            self._fastest[reach] = of_interface + turning * reach
         return self._fastest[reach]
 
 
