@@ -7,6 +7,7 @@ import numpy as np
 from ropsim.cellfile import diagnostics as kinds
 from ropsim.cellfile.devices.devices import read_devices
 from ropsim.cellfile.devices.signals import read_signals
+from ropsim.cellfile.devices.tool_sensors import note_idle_sensors
 from ropsim.cellfile.external_values import read_external_values
 from ropsim.cellfile.frames import note_moving, read_frames
 from ropsim.cellfile.mounts import Mount, axes_of, mounts_of
@@ -105,7 +106,8 @@ def _cell(root: TomlTable, folder_name: str, library: RobotLibrary) -> Cell | No
     axes = axes_of(stations)
     _note_names_of_axes(root, stations, axes)
     sinks = read_sinks(root.tables("sinks"), units)
-    signals = read_signals(root.named("signals"), stations, units)
+    channels = root.named("signals")
+    signals = read_signals(channels, stations, units)
     devices = _read_devices(root, signals, stations, axes, units)
     mounts = mounts_of(stations, devices)
     taken = _bodies(stations, devices, mounts)
@@ -168,6 +170,7 @@ def _cell(root: TomlTable, folder_name: str, library: RobotLibrary) -> Cell | No
     if not any(found.is_error for found in root.findings.items):
         note_standings(cell, groups)
         note_formless(cell, pressed)
+        note_idle_sensors(cell, channels)
     return cell
 
 

@@ -1,4 +1,4 @@
-"""The kinds of mistakes in cell files, X810, X814 to X819, X825 to X827, X928."""
+"""The kinds of mistakes in cell files, X810, X814 to X819, X825 to X827, X928, X929."""
 
 from ropsim.core import Severity, define
 
@@ -215,6 +215,25 @@ CONTACT_CANNOT_ACT = define(
 shapes of both. A body cannot be pressed on itself; a body without shapes, or drawn by a mesh, has no inside
 that is known, so nothing could push back. Draw it by `shapes`: boxes, cylinders, spheres, prisms and
 bodies of revolution; a hole is the gap between several of them.
+
+```toml
+[contacts.insertion]
+of = "peg"
+with = ["block"]
+stiffness = 200   # N/mm
+```
+""",
+)
+
+FORCE_WITHOUT_CONTACT = define(
+    "X929",
+    "force-without-contact",
+    Severity.WARNING,
+    "a sensor measures the forces of contacts, and the cell declares none",
+    """
+A sensor of the kind `force torque` with compensated load reads what tool and held part exert on what they are
+pressed on. Bodies push each other back only where a section `[contacts.NAME]` says that they are meant to;
+without one they pass through each other in the run, and the sensor reads 0.
 
 ```toml
 [contacts.insertion]

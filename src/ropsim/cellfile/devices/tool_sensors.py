@@ -3,9 +3,11 @@
 import math
 from collections.abc import Callable, Mapping
 
+from ropsim.cellfile.diagnostics import FORCE_WITHOUT_CONTACT
 from ropsim.cellfile.sensor_keys import read_errors
 from ropsim.core import frozen_dataclass
 from ropsim.model import (
+    Cell,
     DistanceSensor,
     ForceSensor,
     ForceTorqueSensor,
@@ -80,6 +82,24 @@ def read_sensor(
     sensor = KINDS[kind](SensorTable(table, name, units, most_rate, sort is float))
     table.finish()
     return sensor
+
+
+def note_idle_sensors(cell: Cell, signals: Mapping[str, TomlTable]) -> None:
+    """Note sensors of the forces of contacts in a cell that has none (X929).
+
+    Args:
+        cell: with its signals.
+        signals: their tables, by name.
+    """
+    for name, signal in cell.signals.items():
+        sensor = signal.sensor
+        if isinstance(sensor, ForceTorqueSensor) and sensor.compensated and not cell.contacts:
+            table = signals[name]
+            message = (
+                f"`{name}` measures what contacts exert, and this cell has no `[contacts.NAME]`: it reads 0"
+            )
+            hint = "say which tool or part is pressed on what, and how stiff that is"
+            table.findings.add(FORCE_WITHOUT_CONTACT, table.key_span("sensor"), message, hint)
 
 
 def _distance(at: SensorTable) -> Sensor:

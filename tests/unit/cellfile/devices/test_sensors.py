@@ -101,3 +101,11 @@ def test_errors_that_cannot_be_are_told(keys: str, code: str, told: str) -> None
 )
 def test_a_switch_has_no_force_and_no_noise(sensor: str) -> None:
     assert code_of(f"input = 1\nsensor = {{ {sensor} }}") == "X812"
+
+
+@pytest.mark.parametrize(("keys", "codes"), [("", ["X929"]), (", compensated = false", [])])
+def test_a_sensor_of_contacts_in_a_cell_without_any_is_told(keys: str, codes: list[str]) -> None:
+    text = f'{HEAD}input = 1\nanalog = true\nsensor = {{ kind = "force torque", axis = "z"{keys} }}'
+    cell, findings = read_cell(SourceText("cell.toml", text), "c")
+    assert cell is not None
+    assert [one.code for one in findings] == codes
