@@ -11,6 +11,7 @@ from ropsim.core import frozen_dataclass
 from ropsim.flow import Contact, Event, Recording, body_title
 from ropsim.model import WORLD, Body, BodyKind, Cell
 from ropsim.simulation.ways.approaches import Nearest, TrackPairs
+from ropsim.simulation.ways.carrier_motion import Motion
 from ropsim.simulation.ways.deep_rows import deep_rows, nearness_at
 from ropsim.simulation.ways.episodes import PairRows, pair_rows
 from ropsim.spatial import Array
@@ -56,6 +57,7 @@ def contacts_of(
     solids: Collisions,
     checked: TrackPairs,
     seen: Nearest,
+    motion: Motion,
     recording: Recording,
     cell: Cell,
     at_start: frozenset[Pair],
@@ -66,29 +68,31 @@ def contacts_of(
         solids: the bodies of the cell.
         checked: the checked pairs.
         seen: how near they come.
+        motion: of the joints.
         recording: of the run.
         cell: simulated cell.
         at_start: pairs that are in each other at the start; one that never parts is drawn so.
     """
     bodies = solids.tree.by_name()
     limits = {
-        pair: _allowed(bodies, _bodies_of(checked, pair), cell) for pair in {*seen.episodes[:, 0].tolist()}
+        pair: _allowed(bodies, _bodies_of(checked, pair), cell)
+        for pair in {*seen.episodes[:, 0].astype(int).tolist()}
     }
     deep: dict[Pair, list[PairRows]] = defaultdict(list)
     near: dict[Pair, list[PairRows]] = defaultdict(list)
-    for one in pair_rows(solids, checked, seen, recording, limits.__getitem__):
+    for one in pair_rows(solids, checked, seen, motion, limits.__getitem__):
         key = _ordered(checked, bodies, one.pair)
         inside = (one.gaps <= 0.0) & (one.most > limits[one.pair])
         if inside.any():
             deep[key].append(one.at(inside))
-        close = np.isfinite(one.gaps) & (one.gaps <= checked.pairs[one.pair, 6])
-        if checked.pairs[one.pair, 6] > 0.0 and close.any():
+        close = np.isfinite(one.gaps) & (one.gaps <= checked.pairs[one.pair, 5])
+        if checked.pairs[one.pair, 5] > 0.0 and close.any():
             near[key].append(one.at(close))
-    places = _Places(solids, checked, recording, cell, bodies)
+    places = _Places(solids, checked, motion, recording, cell, bodies)
     last = len(recording.time) - 1
     found: list[Contact] = []
     drawn: list[Pair] = []
-    spans: dict[Pair, list[tuple[int, int]]] = defaultdict(list)
+    spans: dict[Pair, list[tuple[float, float]]] = defaultdict(list)
     for key, some in deep.items():
         for begin, end, parts in _joined(some):
             is_known = key in at_start or key[::-1] in at_start
@@ -133,14 +137,14 @@ def _allowed(bodies: Mapping[str, Body], pair: Pair, cell: Cell) -> float:
     return max(cell.supports.depth, TOUCHING) if with_part else TOUCHING
 
 
-def _joined(some: Sequence[PairRows]) -> Iterator[tuple[int, int, list[PairRows]]]:
+def _joined(some: Sequence[PairRows]) -> Iterator[tuple[float, float, list[PairRows]]]:
     """Yield first and last row of each contact of two bodies, with the convex bodies that are part of it."""
     if not some:
         return
     rows = np.unique(np.concatenate([one.rows for one in some]))
-    breaks = np.flatnonzero(np.diff(rows) > 1)
+    breaks = np.flatnonzero(np.diff(rows) > 1.0)
     for first, last in zip([0, *(breaks + 1)], [*breaks, len(rows) - 1], strict=True):
-        begin, end = int(rows[first]), int(rows[last])
+        begin, end = float(rows[first]), float(rows[last])
         cut = [one.at((one.rows >= begin) & (one.rows <= end)) for one in some]
         yield begin, end, [one for one in cut if len(one.rows)]
 
@@ -207,26 +211,29 @@ class _Places:
         self,
         solids: Collisions,
         checked: TrackPairs,
+        motion: Motion,
         recording: Recording,
         cell: Cell,
         bodies: Mapping[str, Body],
     ) -> None:
         self._solids = solids
-        self._checked, self._recording, self._bodies = checked, recording, bodies
+        self._checked, self._recording, self._bodies, self._motion = checked, recording, bodies, motion
         self._supplies = {part.name: part.supply for part in cell.parts if part.supply}
         self._passes = _passes(recording.events)
 
-    def contact(self, key: Pair, begin: int, end: int, one: PairRows, row: int, near: Nearness) -> Contact:
+    def contact(
+        self, key: Pair, begin: float, end: float, one: PairRows, row: int, near: Nearness
+    ) -> Contact:
         """Return the record of a contact."""
-        time = self._recording.time
-        start = float(time[begin])
+        time_at = self._motion.time_at
+        start = time_at(begin)
         line, station = line_of(self._checked, one.pair, start, self._recording, self._bodies)
         return Contact(
             *key,
             start,
-            float(time[end]),
+            time_at(end),
             near.distance,
-            float(time[one.rows[row]]),
+            time_at(float(one.rows[row])),
             tuple(_place(self._solids, self._checked, one, row, near).tolist()),
             " – ".join(body_title(self._supplies.get(name, name)) for name in key),
             station,
