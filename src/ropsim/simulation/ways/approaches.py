@@ -180,7 +180,7 @@ def nearest(
         here[:, 2:4] = np.clip(here[:, 2:4] - first, 0.0, last - first)
         if len(rows) > 1:
             here[here[:, 2] >= here[:, 3], 3] = -1.0
-        carriers = carriers_of(solids, checked.carriers, motion.rows(first, last))
+        carriers = carriers_of(solids.tree, checked.carriers, motion.rows(first, last))
         found = certified(
             solids.bodies,
             checked.items,

@@ -8,11 +8,12 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ropsim.collision import Carriers, Collisions
+from ropsim.collision import Carriers
 from ropsim.core import frozen_dataclass
 from ropsim.flow import Recording
 from ropsim.kinematics import body_poses
 from ropsim.model import WORLD, Body, BodyTree, JointType, Mover, coordinates, first_coordinates
+from ropsim.simulation.ways.frames_kernel import write_farthest, write_seen
 from ropsim.spatial import Array
 
 ALLOWANCE = 1.5
@@ -87,22 +88,29 @@ def joint_motion_of(tree: BodyTree, recording: Recording) -> Motion:
         recording: of the run.
     """
     time, facts = recording.time, recording.facts
-    Q, bends = {}, {}
-    for name in tree.mechanisms:
-        q = recording.channels[facts.channel("q", name)].values.reshape(len(time), -1)
-        Q[name], bends[name] = q, _bends(time, q)
-    return Motion(time, Q, bends)
+    Q = {
+        name: recording.channels[facts.channel("q", name)].values.reshape(len(time), -1)
+        for name in tree.mechanisms
+    }
+    return Motion(time, Q, bends_of(time, Q))
 
 
-def _bends(time: Array, q: Array) -> Array:
-    """Return how far coordinates may leave straight lines between rows [rad | m], shape (k - 1, n)."""
-    if len(time) < 3:
-        return np.zeros((max(len(time) - 1, 0), q.shape[1]))
-    change = np.abs(np.diff(q, 2, axis=0))
-    most = np.zeros((len(time) - 1, q.shape[1]))
-    most[:-1] = change
-    most[1:] = np.maximum(most[1:], change)
-    return ALLOWANCE * most / 8.0
+def bends_of(time: Array, Q: Mapping[str, Array]) -> Mapping[str, Array]:
+    """Return how far coordinates may leave straight lines between rows [rad | m], shape (k - 1, n).
+
+    Args:
+        time: of the rows [s], shape (k,).
+        Q: coordinates of each mechanism [rad | m], shape (k, n).
+    """
+    found = {}
+    for name, q in Q.items():
+        most = np.zeros((max(len(time) - 1, 0), q.shape[1]))
+        if len(time) > 2:
+            change = np.abs(np.diff(q, 2, axis=0))
+            most[:-1] = change
+            most[1:] = np.maximum(most[1:], change)
+        found[name] = ALLOWANCE * most / 8.0
+    return found
 
 
 def frames_of(tree: BodyTree, wanted: CarrierSet, Q: Mapping[str, Array]) -> Array:
@@ -113,55 +121,56 @@ def frames_of(tree: BodyTree, wanted: CarrierSet, Q: Mapping[str, Array]) -> Arr
         wanted: the carriers.
         Q: coordinates of each mechanism [rad | m], shape (k, n).
     """
-    poses = body_poses(tree, Q, wanted.names)
-    count = len(next(iter(Q.values())))
-    frames = np.empty((len(wanted.names), count, 12))
+    frames = np.empty((len(wanted.names), len(next(iter(Q.values()))), 12))
+    _write_frames(wanted, body_poses(tree, Q, wanted.names), frames)
+    return frames
+
+
+def carriers_of(tree: BodyTree, wanted: CarrierSet, motion: Motion) -> Carriers:
+    """Return the carriers over rows, then those that are seen from others.
+
+    Args:
+        tree: the bodies.
+        wanted: the carriers.
+        motion: of the joints at these rows.
+    """
+    links = _Links(tree, motion)
+    count = len(wanted.names)
+    frames = np.empty((count + len(wanted.seen), len(motion.time), 12))
+    _write_frames(wanted, links.poses, frames)
+    write_seen(frames, wanted.centres, np.array(wanted.seen, dtype=np.float64).reshape(-1, 2), count)
+    ways = [links.above(name) for name in wanted.names]
+    moved = [(k, way) for k, way in enumerate(ways)]
+    for one, other in wanted.seen:
+        above = {*ways[one]} if one >= 0 else set()
+        moved.append(
+            (
+                other,
+                [name for name in (*ways[other], *sorted(above)) if (name in above) != (name in ways[other])],
+            )
+        )
+    return Carriers(frames, links.deviations(moved, frames))
+
+
+def _write_frames(wanted: CarrierSet, poses: Mapping[str, Array], frames: Array) -> None:
+    """Write the frames of carriers, shape (c, k, 12)."""
     for k, name in enumerate(wanted.names):
         X = poses[name]
         frames[k, :, :9] = X[:, :3, :3].reshape(-1, 9)
         frames[k, :, 9:] = X[:, :3, 3] + X[:, :3, :3] @ wanted.centres[k]
-    return frames
-
-
-def carriers_of(solids: Collisions, wanted: CarrierSet, motion: Motion) -> Carriers:
-    """Return the carriers over rows, then those that are seen from others.
-
-    Args:
-        solids: the bodies of the cell.
-        wanted: the carriers.
-        motion: of the joints at these rows.
-    """
-    tree = solids.tree
-    frames = frames_of(tree, wanted, motion.Q)
-    links = _Links(tree, motion)
-    ways = [links.above(name) for name in wanted.names]
-    deviation = [links.deviation(way, frames[k, :, 9:]) for k, way in enumerate(ways)]
-    seen = []
-    for one, other in wanted.seen:
-        seen.append(_as_seen(frames, one, other, wanted.centres)[np.newaxis])
-        between = {*ways[other]} ^ ({*ways[one]} if one >= 0 else set())
-        deviation.append(links.deviation(sorted(between), frames[other, :, 9:]))
-    shape = (len(deviation), max(len(motion.time) - 1, 0), 2)
-    return Carriers(np.concatenate([frames, *seen]), np.array(deviation).reshape(shape))
-
-
-def _as_seen(frames: Array, one: int, other: int, centres: Array) -> Array:
-    """Return the frame of a carrier in that of another one by rows, shape (k, 12); -1 is the world."""
-    R, p = frames[other, :, :9].reshape(-1, 3, 3), frames[other, :, 9:]
-    if one >= 0:
-        R_W = frames[one, :, :9].reshape(-1, 3, 3)
-        origin = frames[one, :, 9:] - R_W @ centres[one]
-        R, p = np.einsum("kji,kjl->kil", R_W, R), np.einsum("kji,kj->ki", R_W, p - origin)
-    return np.hstack([R.reshape(-1, 9), p])
 
 
 class _Links:
-    """Bodies that joints move: how far each turns and slides between two rows, and leaves a straight line."""
+    """Bodies that joints move: how far each turns and slides between two rows, and leaves a straight line.
+
+    Attributes:
+        poses: X_WB of each by rows, shape (k, 4, 4).
+    """
 
     def __init__(self, tree: BodyTree, motion: Motion) -> None:
         self._bodies, self._tree, self._motion = tree.by_name(), tree, motion
-        moved = [body.name for body in tree.bodies if body.mover is not None]
-        self._poses = body_poses(tree, motion.Q, moved) if len(motion.time) > 1 else {}
+        self._moved = [body.name for body in tree.bodies if body.mover is not None]
+        self.poses = body_poses(tree, motion.Q, self._moved)
         self._known: dict[str, tuple[Array, Array, Array, Array]] = {}
 
     def above(self, name: str) -> list[str]:
@@ -173,24 +182,30 @@ class _Links:
             name = self._bodies[name].parent
         return found
 
-    def deviation(self, links: Sequence[str], place: Array) -> Array:
-        """Return how far a point and its axes leave straight lines between rows, shape (k - 1, 2).
+    def deviations(self, moved: Sequence[tuple[int, Sequence[str]]], frames: Array) -> Array:
+        """Return how far carriers and their axes leave straight lines between rows, shape (c, k - 1, 2).
 
         Args:
-            links: joints that move it.
-            place: of the point at the rows [m], shape (k, 3).
+            moved: number of each in the frames, and the joints that move it.
+            frames: by rows, shape (c, k, 12).
         """
+        number = {name: k for k, name in enumerate(self._moved)}
+        origins = np.array([self.poses[name][:, :3, 3] for name in self._moved])
+        wanted = np.array([(k, number[name], 0.0) for k, links in moved for name in links]).reshape(-1, 3)
+        write_farthest(frames, origins.reshape(len(self._moved), -1, 3), wanted)
+        radii = iter(wanted[:, 2].tolist())
         count = max(len(self._motion.time) - 1, 0)
-        turned, slid, away, tilted = (np.zeros(count) for _ in range(4))
-        farthest = 0.0
-        for name in links if count else ():
-            turn, slide, bend, shift = self._of(name)
-            radius = float(np.linalg.norm(place - self._poses[name][:, :3, 3], axis=1).max())
-            farthest = max(farthest, radius)
-            turned, slid, tilted = turned + turn, slid + slide, tilted + bend
-            away = away + radius * bend + shift
-        curved = turned**2 / 8.0
-        return np.column_stack([away + farthest * curved + turned * slid / 4.0, tilted + curved])
+        found = np.zeros((len(moved), count, 2))
+        for row, (_, links) in zip(found, moved, strict=True):
+            turned, slid, farthest = np.zeros(count), np.zeros(count), 0.0
+            for name, radius in zip(links, radii, strict=False):
+                turn, slide, bend, shift = self._of(name)
+                farthest, turned, slid = max(farthest, radius), turned + turn, slid + slide
+                row[:, 0] += radius * bend + shift
+                row[:, 1] += bend
+            row[:, 0] += farthest * turned**2 / 8.0 + turned * slid / 4.0
+            row[:, 1] += turned**2 / 8.0
+        return found
 
     def _of(self, name: str) -> tuple[Array, Array, Array, Array]:
         """Return turn [rad] and slide [m] of a link from row to row, and deviations of both."""
@@ -213,10 +228,10 @@ class _Links:
 
     def _seen(self, body: Body) -> tuple[Array, Array, Array, Array]:
         """Return the motion of a link by its frame in that of its parent at the rows."""
-        X = self._poses[body.name]
+        X = self.poses[body.name]
         above = self.above(body.parent)
         if above:
-            X = np.linalg.inv(self._poses[above[0]]) @ X
+            X = np.linalg.inv(self.poses[above[0]]) @ X
         R, p = X[:, :3, :3], X[:, :3, 3]
         turn = np.linalg.norm(np.diff(R, axis=0).reshape(-1, 9), axis=1) / np.sqrt(2.0)
         slide = np.linalg.norm(np.diff(p, axis=0), axis=1)

@@ -16,7 +16,7 @@ from ropsim.simulation.ways.deep_rows import deep_rows, nearness_at
 from ropsim.simulation.ways.episodes import PairRows, pair_rows
 from ropsim.spatial import Array
 
-TOUCHING = 5e-4
+TOUCHING = 1e-4
 """Bodies that are no deeper in each other touch [m]: an arm keeps to its path to some tenths of a millimetre,
 and shapes are drawn no finer."""
 MOST = 400
