@@ -40,8 +40,9 @@ class Approach:
         least: least distance of the pairs that count [m]; inf if none was checked.
         gaps: least distance that was found of each pair [m], shape (p,); inf where another one was nearer.
         places: where that was, shape (p,).
-        episodes: pair, begin and end of each span in which two may be nearer than they should, and a place in
-            it where they are, -1 where that cannot be told; shape (m, 4).
+        episodes: pair, begin and end of each span in which two may be nearer than they should, a place in it
+            where they are, -1 where that cannot be told, and how far they may be off between rows [m]; shape
+            (m, 5).
     """
 
     least: float
@@ -91,7 +92,7 @@ def certified(
     totals = np.array([least, 0.0, 0.0, 0.0])
     found = np.full((len(pairs) + 1, 7), np.inf)
     found[:, 2] = -1.0
-    episodes = np.empty((CAPACITY, 4))
+    episodes = np.empty((CAPACITY, 5))
     spans = list(_spans(pairs[:, 2:4], count - 1.0))
     search = _search(len(items), len(carriers.frames), len(pairs), len(bodies.convexes))
     for k, (begin, end) in enumerate(spans):
@@ -106,7 +107,7 @@ def certified(
                 bodies.on_ways(items, work, movement, search, Certified(totals, found, episodes))
                 if totals[1] <= len(episodes):
                     break
-                more = np.empty((2 * int(totals[1]), 4))
+                more = np.empty((2 * int(totals[1]), 5))
                 more[: len(episodes)] = episodes
                 episodes = more
                 totals[:], found[:] = before

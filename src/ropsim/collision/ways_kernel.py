@@ -89,7 +89,8 @@ class Certified(NamedTuple):
         found: least distance found of each pair [m], inf where it was never needed, its place, and its last
             episode, -1 for none; the last row is work; shape (p + 1, 7).
         episodes: pair, begin and end of each span in which two may be nearer than they should, a place in it
-            where they are, -1 where that cannot be told; shape (m, 4). Those beyond are only counted.
+            where they are, -1 where that cannot be told, and how far they may be off between rows [m]; shape
+            (m, 5). Those beyond are only counted.
     """
 
     totals: Array1
@@ -178,14 +179,14 @@ def _is_open(
     if gap <= within:
         if v - u > 1.0 and moves > SMALL and not is_last:
             return True
-        _note(out, p, u, v, m)
+        _note(out, p, u, v, m, travel - moves)
         return False
     if gap > travel + within and travel <= tolerance:
         return False
     if moves > SMALL and not is_last:
         return True
     if gap <= travel + within:
-        _note(out, p, u, v, -1.0)
+        _note(out, p, u, v, -1.0, travel - moves)
     return False
 
 
@@ -314,17 +315,18 @@ def _put(items: Array, carriers: Array, poses: Array, t: int, i: int) -> None:
         poses[i, 9 + r] = x * items[t, 16] + y * items[t, 17] + z * items[t, 18] + X[9 + r]
 
 
-def _note(out: Certified, p: int, u: float, v: float, place: float) -> None:
+def _note(out: Certified, p: int, u: float, v: float, place: float, off: float) -> None:
     """Write an episode down where there is room; it continues the last one of the pair that ends here."""
     known = int(out.found[p, 2])
     if 0 <= known < out.episodes.shape[0] and out.episodes[known, 2] == u:
-        out.episodes[known, 2] = v
-        if out.episodes[known, 3] < 0.0:
-            out.episodes[known, 3] = place
+        last = out.episodes[known]
+        last[2], last[4] = v, max(last[4], off)
+        if last[3] < 0.0:
+            last[3] = place
         return
     number = int(out.totals[1])
     if number < out.episodes.shape[0]:
-        episode = out.episodes[number]
-        episode[0], episode[1], episode[2], episode[3] = p, u, v, place
+        new = out.episodes[number]
+        new[0], new[1], new[2], new[3], new[4] = p, u, v, place, off
     out.found[p, 2] = number
     out.totals[1] += 1.0

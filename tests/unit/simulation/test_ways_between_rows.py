@@ -10,6 +10,7 @@ import pytest
 
 import ropsim
 from ropsim.collision import Collisions
+from ropsim.core import Severity
 from ropsim.flow import Channel, ChannelGroup, Fidelity, Recording, RunFacts, StationFacts
 from ropsim.kinematics import forward
 from ropsim.model import BodyKind, Box, Cell, FixedObject, Shape
@@ -66,6 +67,20 @@ def test_a_blade_that_turns_through_a_post_is_found(phase: int) -> None:
     assert {one.one, one.other} == {"table/link1", "post"}
 
 
+def test_bodies_that_rows_do_not_tell_apart_are_an_error_of_their_own() -> None:
+    """A carriage that turns back 5 mm before a wall, between two rows, may have come into it."""
+    x = 1.0 - 0.06 - np.array([0.3, 0.1, 0.02, 0.005, 0.005, 0.02, 0.1, 0.3])
+    cell = crossed((Shape(Box((0.1, 0.1, 0.1))),), objects=(thin_wall(0.02),))
+    found = run_collisions(led(cell, {"across": x, "along": np.zeros(len(x))}), cell)
+    assert found.facts.contacts == ()
+    (one,) = found.findings
+    assert (one.code, one.severity) == ("S771", Severity.ERROR)
+    assert "across/link1 – wall may collide" in one.message
+    assert all(one.distance < 0.0 for one in found.facts.undecided)
+    far = run_collisions(led(cell, {"across": x - 0.2, "along": np.zeros(len(x))}), cell)
+    assert far.findings == ()
+
+
 @cache
 def bare_cell() -> Cell:
     """Return an arm with its tool, and nothing else."""
@@ -101,9 +116,7 @@ def swung(random: np.random.Generator, cell: Cell) -> Callable[[Array], Array]:
     return q
 
 
-@pytest.mark.parametrize(
-    "seed", [*range(3), *(pytest.param(k, marks=pytest.mark.slow) for k in range(3, 40))]
-)
+@pytest.mark.parametrize("seed", [0, *(pytest.param(k, marks=pytest.mark.slow) for k in range(1, 40))])
 def test_no_state_of_an_arm_is_nearer_than_the_least_distance_of_its_run(seed: int) -> None:
     """Looked at four times as often as recorded; joints accelerate by up to 25 rad/s²."""
     random = np.random.default_rng(seed)
@@ -131,8 +144,12 @@ def test_no_state_of_an_arm_is_nearer_than_the_least_distance_of_its_run(seed: i
         if link in arm and alone.tree.by_name()[link].kind is not BodyKind.BASE
         for one in fine
     )
-    if any({one.one, one.other} & objects for one in (*found.contacts, *found.met)):
+    is_met = any({one.one, one.other} & objects for one in found.met)
+    if is_met or any({one.one, one.other} & objects for one in found.contacts):
         assert least < 0.0
+        return
+    if any({one.one, one.other} & objects for one in found.undecided):
+        assert least < 1e-3
         return
     assert least >= -TOUCHING
     if not found.contacts:

@@ -53,8 +53,9 @@ class Nearest:
     Attributes:
         gaps: least distance that was found of each pair [m], shape (p,); inf where another one was nearer.
         places: where that was, shape (p,).
-        episodes: pair, begin and end of each span in which two may be nearer than they should, and a place in
-            it where they are, -1 where that cannot be told; shape (m, 4).
+        episodes: pair, begin and end of each span in which two may be nearer than they should, a place in it
+            where they are, -1 where that cannot be told, and how far they may be off between rows [m]; shape
+            (m, 5).
     """
 
     gaps: Array
@@ -174,7 +175,7 @@ def nearest(
     pairs[:, 2:4] = np.interp(pairs[:, 2:4], motion.time, rows)
     least, blocks = np.inf, motion.blocks()
     gaps, places = np.full(len(pairs), np.inf), np.zeros(len(pairs))
-    episodes = [np.empty((0, 4))]
+    episodes = [np.empty((0, 5))]
     for k, (first, last) in enumerate(blocks):
         here = pairs.copy()
         here[:, 2:4] = np.clip(here[:, 2:4] - first, 0.0, last - first)
@@ -192,7 +193,7 @@ def nearest(
         least, is_nearer = found.least, found.gaps < gaps
         gaps = np.where(is_nearer, found.gaps, gaps)
         places = np.where(is_nearer, found.places + first, places)
-        moved = found.episodes + np.array([0.0, first, first, 0.0])
+        moved = found.episodes + np.array([0.0, first, first, 0.0, 0.0])
         moved[moved[:, 3] >= 0.0, 3] += first
         episodes.append(moved)
     return Nearest(gaps, places, np.concatenate(episodes))

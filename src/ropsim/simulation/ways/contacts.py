@@ -3,6 +3,7 @@
 from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from ropsim.model import WORLD, Body, BodyKind, Cell
 from ropsim.simulation.ways.approaches import Nearest, TrackPairs
 from ropsim.simulation.ways.carrier_motion import Motion
 from ropsim.simulation.ways.deep_rows import deep_rows, nearness_at
-from ropsim.simulation.ways.episodes import PairRows, pair_rows
+from ropsim.simulation.ways.episodes import PairRows, pair_rows, rows_at
 from ropsim.spatial import Array
 
 TOUCHING = 1e-4
@@ -45,11 +46,14 @@ class Contacts:
     Attributes:
         deep: penetrations, in order of time.
         near: bodies nearer than the clearance of the cell, in order of time.
+        undecided: bodies that may be deeper in each other than they may be, as far as rows tell, in order of
+            time; their distance is minus the depth that cannot be excluded.
         drawn: pairs that are in each other all the time: they are drawn so.
     """
 
     deep: tuple[Contact, ...]
     near: tuple[Contact, ...]
+    undecided: tuple[Contact, ...]
     drawn: tuple[Pair, ...]
 
 
@@ -111,7 +115,23 @@ def contacts_of(
         for begin, end, parts in _joined(some)
         if key not in drawn and not any(first <= end and begin <= until for first, until in spans[key])
     ]
-    return Contacts(tuple(sorted(found, key=_in_time)), tuple(sorted(approached, key=_in_time)), tuple(drawn))
+    undecided = []
+    for pair, begin, end, _, off in seen.episodes.tolist():
+        key, limit = _ordered(checked, bodies, int(pair)), limits[int(pair)]
+        is_told = any(first - 1.0 <= end and begin <= until + 1.0 for first, until in spans[key])
+        if off > limit and key not in drawn and not is_told:
+            inside = np.arange(np.floor(begin), np.ceil(end) + 1.0)
+            one = rows_at(solids, checked, motion, int(pair), np.union1d(inside, [0.5 * (begin + end)]))
+            row = int(np.argmin(one.gaps))
+            there = nearness_at(solids, checked, one, row)
+            if off - there.distance > limit:
+                worst = replace(there, distance=there.distance - off)
+                undecided.append(places.contact(key, begin, end, one, row, worst))
+    return Contacts(_in_order(found), _in_order(approached), _in_order(undecided), tuple(drawn))
+
+
+def _in_order(some: Iterable[Contact]) -> tuple[Contact, ...]:
+    return tuple(sorted(some, key=_in_time))
 
 
 def _in_time(one: Contact) -> tuple[float, str, str]:

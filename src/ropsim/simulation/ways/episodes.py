@@ -94,6 +94,12 @@ def pair_rows(
         yield found.at(is_row | ((found.gaps <= 0.0) & (found.most > limit)))
 
 
+def rows_at(solids: Collisions, checked: TrackPairs, motion: Motion, pair: int, places: Array) -> PairRows:
+    """Return a pair at places, counted in rows, shape (k,)."""
+    looking = _Looking(solids, checked, motion)
+    return looking.at(pair, places, looking.frames(places), -np.inf)
+
+
 class _Looking:
     """Looks at pairs at places of a recording."""
 
@@ -136,7 +142,7 @@ def _between(rows: PairRows, allowed: float) -> Array:
 def _windows(checked: TrackPairs, seen: Nearest, time: Array) -> Mapping[int, Array]:
     """Return the rows in and next to the episodes of each pair."""
     spans: dict[int, list[tuple[int, int]]] = defaultdict(list)
-    for pair, begin, end, _ in seen.episodes.tolist():
+    for pair, begin, end in seen.episodes[:, :3].tolist():
         spans[int(pair)].append((int(np.floor(begin)), int(np.ceil(end))))
     found: dict[int, Array] = {}
     for pair, some in sorted(spans.items()):

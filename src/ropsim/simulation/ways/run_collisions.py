@@ -25,8 +25,8 @@ class RunCollisions:
     """Collisions of a run.
 
     Attributes:
-        findings: an error S751 for each two bodies and line that collide, a warning S770 for each that come
-            too near.
+        findings: an error S751 for each two bodies and line that collide, S771 for each that may, and a
+            warning S770 for each that come too near.
         facts: the contacts, the least distance, and omitted checks.
     """
 
@@ -99,7 +99,8 @@ def run_collisions(
         met=met,
         contacts=found.deep,
         near=found.near,
-        filled=_filled(solids.tree, (*found.deep, *found.near)),
+        undecided=found.undecided,
+        filled=_filled(solids.tree, (*found.deep, *found.near, *found.undecided)),
     )
     return RunCollisions(contact_findings(replace(recording.facts, ways=facts)), facts)
 
