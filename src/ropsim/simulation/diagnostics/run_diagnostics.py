@@ -177,9 +177,9 @@ give the motion another condition. Where it may be true at once, ask before: `if
 """,
 )
 
-NOT_TOLD_APART = define(
+NOT_SEPARATED = define(
     "S771",
-    "not-told-apart",
+    "not-separated",
     Severity.ERROR,
     "two bodies may collide between two recorded times",
     """
