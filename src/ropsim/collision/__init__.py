@@ -27,4 +27,4 @@ from ropsim.collision.solids import has_filled_hollow as has_filled_hollow
 from ropsim.collision.ways import Approach as Approach
 from ropsim.collision.ways import Carriers as Carriers
 from ropsim.collision.ways import carried as carried
-from ropsim.collision.ways import closest as closest
+from ropsim.collision.ways import certified as certified

@@ -39,10 +39,11 @@ def distances(
         bounds: lower bounds of the distance with margins [m], shape (p,).
         limits: pairs whose bound is more than the first number are left out; it becomes the least distance
             with margins that was found, plus the second number [m]; shape (2,).
-        work: shape (16, 4).
+        work: shape (17, 4).
         found: distance [m], inf where it was left out; nearest points of the first and the second body in
             W [m]; shape (p, 7).
     """
+    work[16, 0], work[16, 1], work[16, 2], work[16, 3] = 0.0, 0.0, 0.0, inf
     for p in range(pairs.shape[0]):
         found[p, 0] = inf
         if bounds[p] > limits[0]:
@@ -65,10 +66,15 @@ def pair_distance(
 
     Rows of `work`: 0 to 3 the corners of the simplex, 4 to 7 and 8 to 11 the corners of the two bodies behind
     them, 12 the point v of the simplex nearest to the origin, 13 the shares of the corners in it, 14 shares
-    that are tried, 15 a direction.
+    that are tried, 15 a direction, 16 the direction to begin with, zeros for that between the middles of the
+    bodies, and the distance at which it is enough to know that they are not nearer [m]: the result is a lower
+    bound then, without nearest points.
     """
     for k in range(3):
-        work[12, k] = poses[i, 9 + k] - poses[j, 9 + k]
+        work[12, k] = work[16, k]
+    if work[12, 0] == 0.0 and work[12, 1] == 0.0 and work[12, 2] == 0.0:
+        for k in range(3):
+            work[12, k] = poses[i, 9 + k] - poses[j, 9 + k]
     if work[12, 0] == 0.0 and work[12, 1] == 0.0 and work[12, 2] == 0.0:
         work[12, 0] = 1.0
     size = 0
@@ -82,12 +88,17 @@ def pair_distance(
         for k in range(3):
             work[size, k] = work[4 + size, k] - work[8 + size, k]
             largest = max(largest, abs(work[size, k]))
+        along = _dot(work, 12, size)
         if size > 0:
-            along = _dot(work, 12, size)
             parted = parted or along > 0.0
             least = max(least, along / sqrt(square))
             if square - along <= NEAR * sqrt(square):
                 break
+        else:
+            least = max(along / sqrt(_dot(work, 12, 12)), 0.0)
+        if least >= work[16, 3]:
+            found[p, 0] = least
+            return
         better = _nearest(work, size + 1, square)
         if not better < square:
             break

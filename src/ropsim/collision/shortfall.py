@@ -59,7 +59,7 @@ def _distances(corners: Array, points: Array) -> Array:
     bodies[1:, 0], bodies[1:, 1] = numbers, numbers + 1.0
     poses = np.tile([*np.eye(3).ravel(), 0.0, 0.0, 0.0], (count + 1, 1))
     pairs = np.column_stack([np.zeros(count), np.arange(1.0, count + 1.0)])
-    found, work = np.empty((count, 7)), np.zeros((16, 4))
+    found, work = np.empty((count, 7)), np.zeros((17, 4))
     every = np.vstack([corners, points])
     distances(every, bodies, poses, pairs, np.zeros(count), np.array([np.inf, np.inf]), work, found)
     return found[:, 0]

@@ -9,7 +9,7 @@ from ropsim.collision.convex import Convex
 from ropsim.collision.depth import FINE, Support, depth_of
 from ropsim.collision.gjk_kernel import distances
 from ropsim.collision.separation import Nearness
-from ropsim.collision.ways_kernel import Approaches, Convexes, Movement, closest_on_paths
+from ropsim.collision.ways_kernel import Certified, Convexes, Movement, Search, certify
 from ropsim.spatial import Array
 
 Rows = npt.NDArray[np.intp]
@@ -68,7 +68,7 @@ class SolidBodies:
     def distances(self, placed: Array, pairs: Rows, bounds: Array, limits: tuple[float, float]) -> Array:
         """Return distances of the hulls without margins, and nearest points; see the kernel."""
         found = np.empty((len(pairs), 7))
-        numbers, work = np.ascontiguousarray(pairs, dtype=np.float64), np.zeros((16, 4))
+        numbers, work = np.ascontiguousarray(pairs, dtype=np.float64), np.zeros((17, 4))
         distances(self._points, self._bodies, placed, numbers, bounds, np.array(limits), work, found)
         return found
 
@@ -85,7 +85,7 @@ class SolidBodies:
         count = len(first)
         bodies = np.repeat(self._bodies[list(pair)], count, axis=0)
         rows = np.column_stack([np.arange(count), np.arange(count, 2 * count)]).astype(np.float64)
-        found, work = np.empty((count, 7)), np.zeros((16, 4))
+        found, work = np.empty((count, 7)), np.zeros((17, 4))
         placed = np.ascontiguousarray(np.concatenate([first, second]))
         limits = np.array([np.inf, np.inf])
         distances(self._points, bodies, placed, rows, np.zeros(count), limits, work, found)
@@ -95,17 +95,11 @@ class SolidBodies:
         """Return middle and half edges of the box around a convex body, in its frame [m], shape (3,)."""
         return self._centres[number], self._halves[number]
 
-    def on_paths(
-        self,
-        items: Array,
-        pairs: Array,
-        moving: tuple[Array, Array],
-        found: tuple[Array, Array, Array, Array],
+    def on_ways(
+        self, items: Array, pairs: Array, movement: Movement, search: Search, found: Certified
     ) -> None:
-        """Find how near pairs come on ways; see the kernel."""
-        poses, work = np.zeros((len(self.convexes), 12)), np.zeros((19, 4))
-        convexes = Convexes(self._points, self._bodies, items)
-        closest_on_paths(convexes, pairs, Movement(*moving), poses, work, Approaches(*found))
+        """Find how near pairs come in a span of their ways; see the kernel."""
+        certify(Convexes(self._points, self._bodies, items), pairs, movement, search, found)
 
     def nearness(self, placed: Array, pair: Sequence[int], row: Array, fine: float = FINE) -> Nearness:
         """Return the nearness of a pair, with its margins; if hulls overlap, with their depth.

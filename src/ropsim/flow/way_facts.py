@@ -81,6 +81,8 @@ class WayFacts:
         near: bodies that came nearer than the cell requires, in order of time.
         required: clearance that the cell requires [m]; 0 for none.
         filled: bodies of these contacts that count without their hollows: meshes, rings and cups.
+        undecided: bodies so near that recorded rows do not tell whether they penetrate, in order of time;
+            their distance is the depth that cannot be excluded.
     """
 
     clearance: Clearance | None = None
@@ -90,6 +92,7 @@ class WayFacts:
     near: tuple[Contact, ...] = ()
     required: float = 0.0
     filled: tuple[str, ...] = ()
+    undecided: tuple[Contact, ...] = ()
 
 
 def body_title(name: str) -> str:

@@ -48,6 +48,7 @@ def ways_section(facts: RunFacts) -> str:
         caption = "Least distance of the run; bodies of one robot do not count."
         shown = table(caption, header, [(*cells, text(near.station))])
     shown += _contacts("Collisions.", "depth", ways.contacts)
+    shown += _contacts("May collide between two recorded times.", "depth", ways.undecided)
     shown += _contacts(f"Nearer than the required {1e3 * ways.required:g} mm.", "distance", ways.near)
     left = "".join(f"<p>{text(entry)}.</p>\n" for entry in _unchecked(ways))
     return f"<section><h2>Collisions and clearance</h2>\n{shown}{left}</section>\n"

@@ -174,7 +174,7 @@ def test_interrupting_the_check_ends_the_command_as_it_ends_a_run(
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("ropsim.collision.SolidBodies.on_paths", interrupted)
+    monkeypatch.setattr("ropsim.collision.SolidBodies.on_ways", interrupted)
     code, recording = ran(tmp_path, BELOW, "--record", str(tmp_path / "run.npz"))
     assert code == 130
     assert not recording.exists()

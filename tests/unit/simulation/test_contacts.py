@@ -25,7 +25,7 @@ TOO_LOW = 0.06
 """The frame of the pallet lies so much too low [m]."""
 FINGER, BOARD = 0.067, 0.014
 """Length of a finger, and thickness of a board of the pallet, both along z [m]."""
-TOUCHING = 5e-4
+TOUCHING = 1e-4
 """Bodies that are no deeper in each other touch [m]."""
 FINE = 1e-4
 """Depths are computed to 0.05 mm [m]."""

@@ -127,13 +127,13 @@ greatest depth of all passes, the line on which the contact began, and in how ma
 of the shortest shift that parts the two convex bodies that are the deepest in each other. A real arm would
 have hit it, so the run has failed.
 
-**What is checked.** Everything that moves, with what it carries, against everything else, at all recorded
-times at which two may meet; the bodies of one robot against each other, and a part against what it is taken
-from or put on, every 20 ms. Tools without shapes are checked as they are drawn. A mesh counts as its convex
-hull, and a ring or cup made by turning a profile counts as full: a hollow of them is no room here, and a note
-says so. Draw a bin of boxes or as a prism where the arm works in it.
+**What is checked.** Everything that moves, with what it carries, against everything else, at all times: a
+bound of the motion between two recorded times proves that two bodies do not meet there. Where that proves
+nothing, they are an error of their own (S771). Tools without shapes are checked as they are drawn. A mesh
+counts as its convex hull, and a ring or cup made by turning a profile counts as full: a hollow of them is no
+room here, and a note says so. Draw a bin of boxes or as a prism where the arm works in it.
 
-**What is allowed.** Bodies that are up to 0.5 mm in each other touch: an arm keeps to its path no better.
+**What is allowed.** Bodies that are up to 0.1 mm in each other touch.
 Parts may be as deep in other things as `depth` of `[supports]` says, 2 mm where nothing is said.
 
 **What is not checked.** What nothing moves against each other; links with a joint between them; what is drawn
@@ -174,6 +174,22 @@ began. What a program looks for is not found in this way.
 
 Let the signal become false before: wait for that (`wait until not part_ok`), go back from what is touched, or
 give the motion another condition. Where it may be true at once, ask before: `if not part_ok then ...`.
+""",
+)
+
+NOT_SEPARATED = define(
+    "S771",
+    "not-separated",
+    Severity.ERROR,
+    "two bodies may collide between two recorded times",
+    """
+Two bodies are so near to each other that the recorded times do not tell whether they penetrate. Between two
+of these a body may leave the straight line by the square of the interval times its acceleration, divided by
+eight: 0.02 mm for 10 m/s² at 250 Hz, 0.5 mm at 50 Hz. The message names both bodies, the depth that cannot be
+excluded, and the line.
+
+**How to mend it.** Lead the arm farther from it or slower, or record more often by `--record-hz`, so that the
+check knows the motion better.
 """,
 )
 

@@ -7,35 +7,22 @@ import numpy.typing as npt
 
 from ropsim.collision import (
     AS_AT_START,
-    Approach,
-    Carriers,
     Collisions,
     LeftOut,
     Pair,
     carried,
-    closest,
+    certified,
     left_out,
     owners,
 )
-from ropsim.core import frozen_dataclass
-from ropsim.flow import Recording
-from ropsim.kinematics import body_poses
 from ropsim.model import WORLD, BodyKind
+from ropsim.simulation.ways.carrier_motion import CarrierSet, Motion, carriers_of
 from ropsim.simulation.ways.intents import Intents, Span
 from ropsim.simulation.ways.tracks import Track
 from ropsim.spatial import Array, record
 
 Rows = npt.NDArray[np.intp]
 """Numbers of rows."""
-
-COARSE = 0.02
-"""Interval of the rows that are checked first [s]; where bodies may be near, all rows are."""
-GLANCE = 16
-"""Every this many of these rows are checked at the very first: they show the least distance approximately."""
-GLANCED, SEEN = 0.15, 0.85
-"""Shares of the whole: the first look, and that at all rows that are far apart."""
-SLACK = 1.1
-"""Allowance for motion between two rows beyond a straight line."""
 
 
 @record
@@ -44,52 +31,36 @@ class TrackPairs:
 
     Attributes:
         tracks: all of them.
-        items: convex bodies on carriers, see `closest`.
-        owner: number of the track of each item, shape (t,).
-        carriers: names of carriers, by number.
-        seen: numbers of two carriers, of which the second one is expressed relative to the first.
-        pairs: items, times from and until [s], 1 where the least distance counts, the row of `travel`, and
-            the distance at which an episode begins [m]; shape (p, 7).
+        items: convex bodies on carriers, see `certified`; behind those in the world those of one arm on
+            carriers that are seen from another carrier.
+        owner: number of the track of each item in the world.
+        carriers: of the items.
+        pairs: items in the world, times from and until [s], 1 where the least distance counts, the distance
+            at which an episode begins [m], and the items by which they are followed; shape (p, 8).
     """
 
     tracks: tuple[Track, ...]
     items: Array
     owner: tuple[int, ...]
-    carriers: tuple[str, ...]
-    seen: tuple[tuple[int, int], ...]
+    carriers: CarrierSet
     pairs: Array
-
-
-@frozen_dataclass
-class Motion:
-    """Motion of the joints in a run.
-
-    Attributes:
-        time: of the recorded rows [s], shape (k,).
-        Q: coordinates of each mechanism [rad | m], shape (k, n).
-        steps: how far each joint goes from row to row [rad | m], shape (k - 1, n).
-    """
-
-    time: Array
-    Q: Mapping[str, Array]
-    steps: Mapping[str, Array]
 
 
 @record
 class Nearest:
-    """How near pairs come.
+    """How near pairs come. Places are counted in rows; between two rows they are fractions.
 
     Attributes:
         gaps: least distance that was found of each pair [m], shape (p,); inf where another one was nearer.
-        rows: of the recording where that was, shape (p,).
-        episodes: pair, first and last row of the recording in which two are near enough, shape (m, 3).
-        step: rows of the recording between two that were checked, at most.
+        places: where that was, shape (p,).
+        episodes: pair, begin and end of each span in which two may be nearer than they should, a place in it
+            where they are, -1 where that cannot be told, and how far they may be off between rows [m]; shape
+            (m, 5).
     """
 
     gaps: Array
-    rows: Rows
-    episodes: Rows
-    step: int
+    places: Array
+    episodes: Array
 
 
 def pairs_on_tracks(
@@ -114,140 +85,123 @@ def pairs_on_tracks(
         clearance: distance of pairs that count at which an episode begins [m].
     """
     seen = tuple(track for track in made if track.body in solids.bodies.rows)
-    carriers = tuple(dict.fromkeys(track.carrier for track in seen if track.carrier != WORLD))
-    number = {WORLD: -1} | {name: k for k, name in enumerate(carriers)}
-    items: list[Array] = []
-    owner: list[int] = []
-    own: list[Rows] = []
-    for k, track in enumerate(seen):
-        solid = solids.bodies.rows[track.body]
-        own.append(np.arange(len(items), len(items) + len(solid)))
-        owner += [k] * len(solid)
-        items += [carried(solids.bodies, one, number[track.carrier], track.X_CB) for one in solid]
     bodies = solids.tree.by_name()
     built = [name for name in solids.bodies.rows if bodies[name].kind is not BodyKind.PART]
     why = left_out(solids.tree, built, AS_AT_START)
     never = met | {*solids.at_rest} | {pair for pair in why if why[pair] is not LeftOut.FIXED}
     belongs = owners(solids.tree, bodies.keys())
+    on = _OnCarriers(solids, seen)
     rows: list[Array] = []
-    between: dict[tuple[int, int], int] = {}
     for one, other, span, counts in _pairs(seen, intents, never, belongs):
-        a, b = own[one], own[other]
-        block = np.empty((len(a) * len(b), 7))
+        a, b = on.own[one], on.own[other]
+        block = np.empty((len(a) * len(b), 8))
         block[:, 0], block[:, 1] = np.repeat(a, len(b)), np.tile(b, len(a))
-        block[:, 2:5], block[:, 5], block[:, 6] = (*span, counts), -1.0, clearance * counts
+        block[:, 2:5], block[:, 5] = (*span, counts), clearance * counts
+        block[:, 6:] = block[:, :2]
         if not counts:  # of one arm: it moves as a whole more than its links against each other
-            both = number[seen[one].carrier], number[seen[other].carrier]
-            block[:, 5] = len(carriers) + between.setdefault(both, len(between))
+            first, second = on.seen_from_each_other(one, other)
+            block[:, 6], block[:, 7] = np.repeat(first, len(b)), np.tile(second, len(a))
         rows.append(block)
-    pairs = np.concatenate([np.empty((0, 7)), *rows])
-    return TrackPairs(seen, np.array(items).reshape(-1, 22), tuple(owner), carriers, tuple(between), pairs)
+    pairs = np.concatenate([np.empty((0, 8)), *rows])
+    return TrackPairs(seen, on.table(), tuple(on.owner), on.carriers(), pairs)
+
+
+class _OnCarriers:
+    """Convex bodies of tracks as items on carriers."""
+
+    def __init__(self, solids: Collisions, seen: Sequence[Track]) -> None:
+        self._solids, self._seen = solids, seen
+        self._names = tuple(dict.fromkeys(track.carrier for track in seen if track.carrier != WORLD))
+        self._number = {WORLD: -1} | {name: k for k, name in enumerate(self._names)}
+        self._items: list[Array] = []
+        self._centres = self._middles()
+        self._between: dict[tuple[int, int], int] = {}
+        self._known: dict[tuple[int, int], Rows] = {}
+        self.own: list[Rows] = []
+        self.owner: list[int] = []
+        for k, track in enumerate(seen):
+            self.own.append(self._entered(k, self._number[track.carrier]))
+            self.owner += [k] * len(self.own[k])
+
+    def seen_from_each_other(self, one: int, other: int) -> tuple[Rows, Rows]:
+        """Return the items of two tracks in the frame of the carrier of the first one."""
+        both = self._number[self._seen[one].carrier], self._number[self._seen[other].carrier]
+        row = len(self._names) + self._between.setdefault(both, len(self._between))
+        return self._entered(one, -1), self._entered(other, row)
+
+    def carriers(self) -> CarrierSet:
+        """Return the carriers of the items; the middle of what hangs on each stands for it."""
+        return CarrierSet(self._names, self._centres, tuple(self._between))
+
+    def table(self) -> Array:
+        """Return the rows of all items, shape (t, 22)."""
+        return np.array(self._items).reshape(-1, 22)
+
+    def _middles(self) -> Array:
+        """Return the middle of what hangs on each carrier, in its frame [m], shape (c, 3)."""
+        bodies = self._solids.bodies
+        sums = np.zeros((len(self._names), 4))
+        for one in self._seen:
+            for k in bodies.rows[one.body] if one.carrier != WORLD else ():
+                X_CV = one.X_CB @ bodies.convexes[k].X_BC.matrix()
+                sums[self._number[one.carrier]] += X_CV @ np.append(bodies.box(k)[0], 1.0)
+        return np.asarray(sums[:, :3] / np.maximum(sums[:, 3:], 1.0))
+
+    def _entered(self, track: int, carrier: int) -> Rows:
+        """Return the numbers of the convex bodies of a track on a carrier, or, for -1, in its frame."""
+        if (track, carrier) not in self._known:
+            one, X_CB = self._seen[track], self._seen[track].X_CB.copy()
+            if carrier >= 0:
+                X_CB[:3, 3] -= self._centres[self._number[one.carrier]]
+            numbers, first = self._solids.bodies.rows[one.body], len(self._items)
+            self._items += [carried(self._solids.bodies, k, carrier, X_CB) for k in numbers]
+            self._known[track, carrier] = np.arange(first, first + len(numbers))
+        return self._known[track, carrier]
 
 
 def nearest(
-    solids: Collisions, checked: TrackPairs, recording: Recording, progress: Callable[[float], None]
+    solids: Collisions, checked: TrackPairs, motion: Motion, progress: Callable[[float], None]
 ) -> Nearest:
-    """Return how near pairs come: at rows far apart first, then at all rows where anything may be near.
+    """Return how near pairs come, between the recorded rows as well.
 
     Args:
         solids: the bodies of the cell.
         checked: the checked pairs.
-        recording: of the run.
+        motion: of the joints.
         progress: called with the share of the paths that has been checked.
     """
-    time = recording.time
-    Q = {
-        name: recording.channels[recording.facts.channel("q", name)].values.reshape(len(time), -1)
-        for name in solids.tree.mechanisms
-    }
-    motion = Motion(time, Q, {name: np.abs(np.diff(q, axis=0)) for name, q in Q.items()})
-    step = max(1, round(COARSE / (time[1] - time[0]))) if len(time) > 1 else 1
-    ends = np.searchsorted(time, [one for track in checked.tracks for one in (track.start, track.end)])
-    edges = np.concatenate([ends, ends - 1, [0, len(time) - 1]])
-    rows = np.unique(np.concatenate([np.arange(0, len(time), step), edges.clip(0, len(time) - 1)]))
-    part = _part_of(progress, (0.0, GLANCED))
-    least = _over(solids, checked, motion, rows[::GLANCE], np.inf, part).least
-    found = _over(solids, checked, motion, rows, least, _part_of(progress, (GLANCED, SEEN)))
-    whole = Nearest(found.gaps, rows[found.rows], _in_rows(found.episodes, rows), step)
-    last = len(rows) - 1
-    ahead = [np.arange(rows[k], rows[min(k + 1, last)] + 1) for k in found.near.tolist()]
-    if not ahead:
-        return whole
-    dense = np.unique(np.concatenate(ahead))
-    more = _over(solids, checked, motion, dense, found.least, _part_of(progress, (SEEN, 1.0)))
-    better = more.gaps < whole.gaps
-    return Nearest(
-        np.where(better, more.gaps, whole.gaps),
-        np.where(better, dense[more.rows], whole.rows),
-        np.concatenate([whole.episodes, _in_rows(more.episodes, dense)]),
-        step,
-    )
+    pairs = checked.pairs[:, [6, 7, 2, 3, 4, 5]].copy()
+    rows = np.arange(float(len(motion.time)))
+    pairs[:, 2:4] = np.interp(pairs[:, 2:4], motion.time, rows)
+    least, blocks = np.inf, motion.blocks()
+    gaps, places = np.full(len(pairs), np.inf), np.zeros(len(pairs))
+    episodes = [np.empty((0, 5))]
+    for k, (first, last) in enumerate(blocks):
+        here = pairs.copy()
+        here[:, 2:4] = np.clip(here[:, 2:4] - first, 0.0, last - first)
+        if len(rows) > 1:
+            here[here[:, 2] >= here[:, 3], 3] = -1.0
+        carriers = carriers_of(solids.tree, checked.carriers, motion.rows(first, last))
+        found = certified(
+            solids.bodies,
+            checked.items,
+            here,
+            carriers,
+            least,
+            _share(progress, k, len(blocks)),
+        )
+        least, is_nearer = found.least, found.gaps < gaps
+        gaps = np.where(is_nearer, found.gaps, gaps)
+        places = np.where(is_nearer, found.places + first, places)
+        moved = found.episodes + np.array([0.0, first, first, 0.0, 0.0])
+        moved[moved[:, 3] >= 0.0, 3] += first
+        episodes.append(moved)
+    return Nearest(gaps, places, np.concatenate(episodes))
 
 
-def frames_at(solids: Collisions, checked: TrackPairs, Q: Mapping[str, Array]) -> Array:
-    """Return R_W by rows and p_W [m] of the carriers at joint coordinates, shape (c, k, 12)."""
-    poses = body_poses(solids.tree, Q, checked.carriers)
-    count = len(next(iter(Q.values())))
-    frames = np.empty((len(checked.carriers), count, 12))
-    for k, name in enumerate(checked.carriers):
-        frames[k, :, :9] = poses[name][:, :3, :3].reshape(-1, 9)
-        frames[k, :, 9:] = poses[name][:, :3, 3]
-    return frames
-
-
-def _part_of(progress: Callable[[float], None], share: Span) -> Callable[[float], None]:
-    """Return a progress of a part of the whole."""
-    return lambda done: progress(share[0] + done * (share[1] - share[0]))
-
-
-def _over(
-    solids: Collisions,
-    checked: TrackPairs,
-    motion: Motion,
-    rows: Rows,
-    least: float,
-    progress: Callable[[float], None],
-) -> Approach:
-    """Return how near pairs come at some rows of a recording."""
-    frames = frames_at(solids, checked, {name: q[rows] for name, q in motion.Q.items()})
-    seen = [_as_seen(frames, *pair)[np.newaxis] for pair in checked.seen]
-    carriers = Carriers(frames, _travel(np.concatenate([frames, *seen]), _wiggle(motion, rows)))
-    pairs = checked.pairs.copy()
-    pairs[:, 2:4] = np.searchsorted(motion.time[rows], pairs[:, 2:4])
-    return closest(solids.bodies, checked.items, pairs, carriers, least, progress)
-
-
-def _in_rows(episodes: Rows, rows: Rows) -> Rows:
-    """Return episodes by rows of the recording."""
-    return np.column_stack([episodes[:, 0], rows[episodes[:, 1:]]]).astype(np.intp)
-
-
-def _wiggle(motion: Motion, rows: Rows) -> Array:
-    """Return the travel of joints back and forth between rows [rad | m], shape (k - 1,)."""
-    total = np.zeros(len(rows) - 1)
-    for name, q in motion.Q.items():
-        gone = np.add.reduceat(motion.steps[name], rows[:-1], axis=0) if len(rows) > 1 else q[:0]
-        total += np.sum(gone - np.abs(np.diff(q[rows], axis=0)), axis=1)
-    return np.maximum(total, 0.0)
-
-
-def _as_seen(frames: Array, one: int, other: int) -> Array:
-    """Return the frame of a carrier in that of another one by rows, shape (k, 12); -1 is the world."""
-    R, p = frames[other, :, :9].reshape(-1, 3, 3), frames[other, :, 9:]
-    if one >= 0:
-        R_W = frames[one, :, :9].reshape(-1, 3, 3)
-        R, p = np.einsum("kji,kjl->kil", R_W, R), np.einsum("kji,kj->ki", R_W, p - frames[one, :, 9:])
-    return np.hstack([R.reshape(-1, 9), p])
-
-
-def _travel(frames: Array, wiggle: Array) -> Array:
-    """Return how far each carrier has moved and turned at each row at most, see `Carriers`."""
-    travel = np.zeros((len(frames), 2, frames.shape[1]))
-    reach = max(1.0, 2.0 * float(np.abs(frames[:, :, 9:]).max(initial=0.0)))
-    moved = np.diff(frames, axis=1)
-    travel[:, 0, 1:] = SLACK * np.linalg.norm(moved[:, :, 9:], axis=2) + reach * wiggle
-    travel[:, 1, 1:] = SLACK * np.linalg.norm(moved[:, :, :9], axis=2) / np.sqrt(2.0) + wiggle
-    return np.cumsum(travel, axis=2)
+def _share(progress: Callable[[float], None], number: int, count: int) -> Callable[[float], None]:
+    """Return the progress of one of some equal parts."""
+    return lambda done: progress((number + done) / count)
 
 
 def _pairs(

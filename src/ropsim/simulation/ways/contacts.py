@@ -3,6 +3,7 @@
 from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -11,13 +12,13 @@ from ropsim.core import frozen_dataclass
 from ropsim.flow import Contact, Event, Recording, body_title
 from ropsim.model import WORLD, Body, BodyKind, Cell, meant_depths
 from ropsim.simulation.ways.approaches import Nearest, TrackPairs
+from ropsim.simulation.ways.carrier_motion import Motion
 from ropsim.simulation.ways.deep_rows import deep_rows, nearness_at
-from ropsim.simulation.ways.episodes import PairRows, pair_rows
+from ropsim.simulation.ways.episodes import PairRows, pair_rows, rows_at
 from ropsim.spatial import Array
 
-TOUCHING = 5e-4
-"""Bodies that are no deeper in each other touch [m]: an arm keeps to its path to some tenths of a millimetre,
-and shapes are drawn no finer."""
+TOUCHING = 1e-4
+"""Bodies that are no deeper in each other touch [m]: shapes are drawn no finer."""
 MOST = 400
 """Maximum number of depths computed for one contact; the search usually ends much earlier."""
 
@@ -44,11 +45,14 @@ class Contacts:
     Attributes:
         deep: penetrations, in order of time.
         near: bodies nearer than the clearance of the cell, in order of time.
+        undecided: bodies that may be deeper in each other than they may be, as far as rows tell, in order of
+            time; their distance is minus the depth that cannot be excluded.
         drawn: pairs that are in each other all the time: they are drawn so.
     """
 
     deep: tuple[Contact, ...]
     near: tuple[Contact, ...]
+    undecided: tuple[Contact, ...]
     drawn: tuple[Pair, ...]
 
 
@@ -56,6 +60,7 @@ def contacts_of(
     solids: Collisions,
     checked: TrackPairs,
     seen: Nearest,
+    motion: Motion,
     recording: Recording,
     cell: Cell,
     at_start: frozenset[Pair],
@@ -66,6 +71,7 @@ def contacts_of(
         solids: the bodies of the cell.
         checked: the checked pairs.
         seen: how near they come.
+        motion: of the joints.
         recording: of the run.
         cell: simulated cell.
         at_start: pairs that are in each other at the start; one that never parts is drawn so.
@@ -74,23 +80,23 @@ def contacts_of(
     meant = meant_depths(cell)
     limits = {
         pair: _allowed(bodies, _bodies_of(checked, pair), cell, meant)
-        for pair in {*seen.episodes[:, 0].tolist()}
+        for pair in {*seen.episodes[:, 0].astype(int).tolist()}
     }
     deep: dict[Pair, list[PairRows]] = defaultdict(list)
     near: dict[Pair, list[PairRows]] = defaultdict(list)
-    for one in pair_rows(solids, checked, seen, recording, limits.__getitem__):
+    for one in pair_rows(solids, checked, seen, motion, limits.__getitem__):
         key = _ordered(checked, bodies, one.pair)
         inside = (one.gaps <= 0.0) & (one.most > limits[one.pair])
         if inside.any():
             deep[key].append(one.at(inside))
-        close = np.isfinite(one.gaps) & (one.gaps <= checked.pairs[one.pair, 6])
-        if checked.pairs[one.pair, 6] > 0.0 and close.any() and frozenset(key) not in meant:
+        close = np.isfinite(one.gaps) & (one.gaps <= checked.pairs[one.pair, 5])
+        if checked.pairs[one.pair, 5] > 0.0 and close.any() and frozenset(key) not in meant:
             near[key].append(one.at(close))
-    places = _Places(solids, checked, recording, cell, bodies)
+    places = _Places(solids, checked, motion, recording, cell, bodies)
     last = len(recording.time) - 1
     found: list[Contact] = []
     drawn: list[Pair] = []
-    spans: dict[Pair, list[tuple[int, int]]] = defaultdict(list)
+    spans: dict[Pair, list[tuple[float, float]]] = defaultdict(list)
     for key, some in deep.items():
         for begin, end, parts in _joined(some):
             is_known = key in at_start or key[::-1] in at_start
@@ -109,7 +115,23 @@ def contacts_of(
         for begin, end, parts in _joined(some)
         if key not in drawn and not any(first <= end and begin <= until for first, until in spans[key])
     ]
-    return Contacts(tuple(sorted(found, key=_in_time)), tuple(sorted(approached, key=_in_time)), tuple(drawn))
+    undecided = []
+    for pair, begin, end, _, off in seen.episodes.tolist():
+        key, limit = _ordered(checked, bodies, int(pair)), limits[int(pair)]
+        is_told = any(first - 1.0 <= end and begin <= until + 1.0 for first, until in spans[key])
+        if off > limit and key not in drawn and not is_told:
+            inside = np.arange(np.floor(begin), np.ceil(end) + 1.0)
+            one = rows_at(solids, checked, motion, int(pair), np.union1d(inside, [0.5 * (begin + end)]))
+            row = int(np.argmin(one.gaps))
+            there = nearness_at(solids, checked, one, row)
+            if off - there.distance > limit:
+                worst = replace(there, distance=there.distance - off)
+                undecided.append(places.contact(key, begin, end, one, row, worst))
+    return Contacts(_in_order(found), _in_order(approached), _in_order(undecided), tuple(drawn))
+
+
+def _in_order(some: Iterable[Contact]) -> tuple[Contact, ...]:
+    return tuple(sorted(some, key=_in_time))
 
 
 def _in_time(one: Contact) -> tuple[float, str, str]:
@@ -139,14 +161,14 @@ def _allowed(
     return max(cell.supports.depth, TOUCHING) if with_part else TOUCHING
 
 
-def _joined(some: Sequence[PairRows]) -> Iterator[tuple[int, int, list[PairRows]]]:
+def _joined(some: Sequence[PairRows]) -> Iterator[tuple[float, float, list[PairRows]]]:
     """Yield first and last row of each contact of two bodies, with the convex bodies that are part of it."""
     if not some:
         return
     rows = np.unique(np.concatenate([one.rows for one in some]))
-    breaks = np.flatnonzero(np.diff(rows) > 1)
+    breaks = np.flatnonzero(np.diff(rows) > 1.0)
     for first, last in zip([0, *(breaks + 1)], [*breaks, len(rows) - 1], strict=True):
-        begin, end = int(rows[first]), int(rows[last])
+        begin, end = float(rows[first]), float(rows[last])
         cut = [one.at((one.rows >= begin) & (one.rows <= end)) for one in some]
         yield begin, end, [one for one in cut if len(one.rows)]
 
@@ -213,26 +235,29 @@ class _Places:
         self,
         solids: Collisions,
         checked: TrackPairs,
+        motion: Motion,
         recording: Recording,
         cell: Cell,
         bodies: Mapping[str, Body],
     ) -> None:
         self._solids = solids
-        self._checked, self._recording, self._bodies = checked, recording, bodies
+        self._checked, self._recording, self._bodies, self._motion = checked, recording, bodies, motion
         self._supplies = {part.name: part.supply for part in cell.parts if part.supply}
         self._passes = _passes(recording.events)
 
-    def contact(self, key: Pair, begin: int, end: int, one: PairRows, row: int, near: Nearness) -> Contact:
+    def contact(
+        self, key: Pair, begin: float, end: float, one: PairRows, row: int, near: Nearness
+    ) -> Contact:
         """Return the record of a contact."""
-        time = self._recording.time
-        start = float(time[begin])
+        time_at = self._motion.time_at
+        start = time_at(begin)
         line, station = line_of(self._checked, one.pair, start, self._recording, self._bodies)
         return Contact(
             *key,
             start,
-            float(time[end]),
+            time_at(end),
             near.distance,
-            float(time[one.rows[row]]),
+            time_at(float(one.rows[row])),
             tuple(_place(self._solids, self._checked, one, row, near).tolist()),
             " – ".join(body_title(self._supplies.get(name, name)) for name in key),
             station,

@@ -1,4 +1,4 @@
-"""Rows of a recording at which two convex bodies may penetrate each other, or are too near."""
+"""Places of a recording at which two convex bodies may penetrate each other, or are too near."""
 
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping
@@ -7,31 +7,35 @@ import numpy as np
 import numpy.typing as npt
 
 from ropsim.collision import Collisions
-from ropsim.flow import Recording
-from ropsim.simulation.ways.approaches import Nearest, Rows, TrackPairs, frames_at
+from ropsim.simulation.ways.approaches import Nearest, TrackPairs
+from ropsim.simulation.ways.carrier_motion import Motion, frames_of
 from ropsim.spatial import Array, record
 
 Mask = npt.NDArray[np.bool_]
 """True at the rows that are chosen."""
+STEP = 5e-5
+"""Between two rows depths are computed at places so near to each other [m]."""
+MOST_STEPS = 400
+"""Places between two rows at most."""
 
 
 @record
 class PairRows:
-    """Two convex bodies at rows of a recording.
+    """Two convex bodies at places of a recording: its rows, and others where they may meet between two.
 
     Attributes:
         pair: its number.
-        rows: of the recording, ascending, shape (k,).
+        rows: places, counted in rows, ascending, shape (k,).
         first: R_W by rows and p_W [m] of the first body, shape (k, 12).
         second: the same of the second body.
-        most: upper bound of the depth at each row [m], shape (k,); no penetration where it is not positive.
-        moved: bound of the motion up to each row, as the first body sees it [m], shape (k,): between two rows
-            no point of the second body is displaced by more than the difference.
-        gaps: distance at each row, 0 or less where they touch [m], shape (k,); inf where it is not needed.
+        most: upper bound of the depth at each place [m], shape (k,); no penetration where it is not positive.
+        moved: bound of the motion up to each place, as the first body sees it [m], shape (k,): between two
+            places no point of the second body is displaced by more than the difference.
+        gaps: distance at each place, 0 or less where they touch [m], shape (k,); inf where it is not needed.
     """
 
     pair: int
-    rows: Rows
+    rows: Array
     first: Array
     second: Array
     most: Array
@@ -39,7 +43,7 @@ class PairRows:
     gaps: Array
 
     def at(self, chosen: Mask) -> "PairRows":
-        """Return the pair at some of its rows."""
+        """Return the pair at some of its places."""
         return PairRows(
             self.pair,
             self.rows[chosen],
@@ -55,64 +59,106 @@ def pair_rows(
     solids: Collisions,
     checked: TrackPairs,
     seen: Nearest,
-    recording: Recording,
+    motion: Motion,
     allowed: Callable[[int], float],
 ) -> Iterator[PairRows]:
     """Yield the rows around the episodes of each pair, with bounds of depth and with distances.
+
+    Between two rows at which bodies are no deeper in each other than they may be, but may be so on the way,
+    there are further places.
 
     Args:
         solids: the bodies of the cell.
         checked: the checked pairs.
         seen: their episodes.
-        recording: of the run.
+        motion: of the joints.
         allowed: returns how deep the bodies of a pair may be in each other [m].
     """
-    windows = _windows(checked, seen, recording.time)
+    windows = _windows(checked, seen, motion.time)
     if not windows:
         return
+    looking = _Looking(solids, checked, motion)
     rows = np.unique(np.concatenate([*windows.values()]))
-    Q = {
-        name: recording.channels[recording.facts.channel("q", name)].values[rows].reshape(len(rows), -1)
-        for name in solids.tree.mechanisms
-    }
-    frames = frames_at(solids, checked, Q)
+    frames = looking.frames(rows)
     for pair, own in windows.items():
-        a, b = checked.pairs[pair, :2].astype(int)
-        at = np.searchsorted(rows, own)
-        first, second = _poses(checked.items[a], frames, at), _poses(checked.items[b], frames, at)
-        numbers = int(checked.items[a, 0]), int(checked.items[b, 0])
-        most, moved = _bounds(solids, numbers, first, second)
-        within = float(checked.pairs[pair, 6])
-        wanted = most > (-within if within > 0.0 else allowed(pair))
-        gaps = np.full(len(own), np.inf)
+        within, limit = float(checked.pairs[pair, 5]), allowed(pair)
+        least = -within if within > 0.0 else limit
+        at_rows = looking.at(pair, own, frames[:, np.searchsorted(rows, own)], least)
+        between = _between(at_rows, limit)
+        if not len(between):
+            yield at_rows
+            continue
+        every = np.union1d(own, between)
+        found = looking.at(pair, every, looking.frames(every), least)
+        is_row = np.isin(every, own)
+        yield found.at(is_row | ((found.gaps <= 0.0) & (found.most > limit)))
+
+
+def rows_at(solids: Collisions, checked: TrackPairs, motion: Motion, pair: int, places: Array) -> PairRows:
+    """Return a pair at places, counted in rows, shape (k,)."""
+    looking = _Looking(solids, checked, motion)
+    return looking.at(pair, places, looking.frames(places), -np.inf)
+
+
+class _Looking:
+    """Looks at pairs at places of a recording."""
+
+    def __init__(self, solids: Collisions, checked: TrackPairs, motion: Motion) -> None:
+        self._solids, self._checked, self._motion = solids, checked, motion
+
+    def frames(self, places: Array) -> Array:
+        """Return the frames of the carriers at places, shape (c, k, 12)."""
+        return frames_of(self._solids.tree, self._checked.carriers, self._motion.at(places))
+
+    def at(self, pair: int, places: Array, frames: Array, least: float) -> PairRows:
+        """Return a pair at places, with distances where the bound of the depth is more than the least one."""
+        bodies, items = self._solids.bodies, self._checked.items
+        a, b = self._checked.pairs[pair, :2].astype(int)
+        first, second = _poses(items[a], frames), _poses(items[b], frames)
+        numbers = int(items[a, 0]), int(items[b, 0])
+        most, moved = _bounds(self._solids, numbers, first, second)
+        wanted, gaps = most > least, np.full(len(places), np.inf)
         if wanted.any():
-            gaps[wanted] = solids.bodies.gaps(numbers, first[wanted], second[wanted])
-        yield PairRows(pair, own, first, second, most, moved, gaps)
+            gaps[wanted] = bodies.gaps(numbers, first[wanted], second[wanted])
+        return PairRows(pair, places, first, second, most, moved, gaps)
 
 
-def _windows(checked: TrackPairs, seen: Nearest, time: Array) -> Mapping[int, Rows]:
-    """Return the rows in and around the episodes of each pair."""
+def _between(rows: PairRows, allowed: float) -> Array:
+    """Return places between rows at which two bodies may be deeper in each other than allowed, shape (k,).
+
+    They are so near to each other that the bodies move by `STEP` at most from one to the next one.
+    """
+    is_deep = (rows.gaps <= 0.0) & (rows.most > allowed)
+    way = np.diff(rows.moved)
+    most = (rows.most[:-1] + rows.most[1:] + way) / 2.0
+    chosen = (np.diff(rows.rows) <= 1.0) & ~is_deep[:-1] & ~is_deep[1:] & (most > allowed)
+    found = [np.empty(0)]
+    for k in np.flatnonzero(chosen).tolist():
+        count = int(np.clip(np.ceil(way[k] / STEP), 2, MOST_STEPS))
+        found.append(rows.rows[k] + (rows.rows[k + 1] - rows.rows[k]) * np.arange(1, count) / count)
+    return np.concatenate(found)
+
+
+def _windows(checked: TrackPairs, seen: Nearest, time: Array) -> Mapping[int, Array]:
+    """Return the rows in and next to the episodes of each pair."""
     spans: dict[int, list[tuple[int, int]]] = defaultdict(list)
-    for pair, first, last in seen.episodes.tolist():
-        spans[pair].append((first, last))
-    found: dict[int, Rows] = {}
+    for pair, begin, end in seen.episodes[:, :3].tolist():
+        spans[int(pair)].append((int(np.floor(begin)), int(np.ceil(end))))
+    found: dict[int, Array] = {}
     for pair, some in sorted(spans.items()):
         start, end = np.searchsorted(time, checked.pairs[pair, 2:4])
-        around = [
-            np.arange(max(first - seen.step, start), min(last + seen.step, end - 1) + 1)
-            for first, last in some
-        ]
-        found[pair] = np.unique(np.concatenate(around))
+        around = [np.arange(max(first - 1, start), min(last + 1, end - 1) + 1) for first, last in some]
+        found[pair] = np.unique(np.concatenate(around)).astype(np.float64)
     return found
 
 
-def _poses(item: Array, frames: Array, at: Rows) -> Array:
+def _poses(item: Array, frames: Array) -> Array:
     """Return R_W by rows and p_W [m] of a convex body on its carrier, shape (k, 12)."""
     R, p = item[7:16].reshape(3, 3), item[16:19]
     carrier = int(item[1])
     if carrier < 0:
-        return np.tile(np.concatenate([R.ravel(), p]), (len(at), 1))
-    X = frames[carrier, at]
+        return np.tile(np.concatenate([R.ravel(), p]), (frames.shape[1], 1))
+    X = frames[carrier]
     R_W = X[:, :9].reshape(-1, 3, 3)
     return np.hstack([(R_W @ R).reshape(-1, 9), R_W @ p + X[:, 9:]])
 

@@ -6,10 +6,11 @@ from dataclasses import replace
 
 from ropsim.core import Diagnostic, Kind, Span
 from ropsim.flow import Contact, RunFacts, body_title
-from ropsim.simulation.diagnostics.run_diagnostics import PENETRATION, TOO_NEAR
+from ropsim.simulation.diagnostics.run_diagnostics import NOT_SEPARATED, PENETRATION, TOO_NEAR
 
 _FILLED = "`{}` counts without its hollows, if it has any: what is in one of them is free in truth"
 AROUND = "lead the arm around it by a point on the way, or move what is in the way"
+DENSER = "lead the arm farther from it, move slower, or record more often by `--record-hz`"
 FARTHER = "lead the arm farther from it, or require less by `clearance` in `[cell]`"
 
 
@@ -22,13 +23,14 @@ def contact_findings(facts: RunFacts) -> tuple[Diagnostic, ...]:
     if facts.ways is None:
         return ()
     deep = (_penetration(some, facts) for some in _groups(facts.ways.contacts))
+    undecided = (_not_separated(some, facts) for some in _groups(facts.ways.undecided))
     near = (_too_near(some, facts) for some in _groups(facts.ways.near))
-    return (*deep, *near)
+    return (*deep, *undecided, *near)
 
 
 def without_contact_findings(findings: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
     """Yield the findings that `contact_findings` did not make."""
-    codes = {PENETRATION.code, TOO_NEAR.code}
+    codes = {PENETRATION.code, NOT_SEPARATED.code, TOO_NEAR.code}
     return (one for one in findings if one.code not in codes)
 
 
@@ -44,6 +46,13 @@ def _penetration(some: list[Contact], facts: RunFacts) -> Diagnostic:
     deepest = min(some, key=lambda one: one.distance)
     words = f"collision {deepest.bodies}, {-1e3 * deepest.distance:.1f} mm deep{_where(some)}"
     return _finding(PENETRATION, words, AROUND, some, deepest, facts)
+
+
+def _not_separated(some: list[Contact], facts: RunFacts) -> Diagnostic:
+    deepest = min(some, key=lambda one: one.distance)
+    depth = f"{-1e3 * deepest.distance:.1f} mm deep between two recorded times"
+    words = f"{deepest.bodies} may collide: up to {depth}{_where(some)}"
+    return _finding(NOT_SEPARATED, words, DENSER, some, deepest, facts)
 
 
 def _too_near(some: list[Contact], facts: RunFacts) -> Diagnostic:

@@ -9,7 +9,8 @@ from ropsim.collision import COARSE, NO_MESHES, Collisions, MeshPoints, Nearness
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.flow import BodyPair, Clearance, Contact, Recording, WayFacts
 from ropsim.model import BodyKind, BodyTree, Cell
-from ropsim.simulation.ways.approaches import Nearest, TrackPairs, frames_at, nearest, pairs_on_tracks
+from ropsim.simulation.ways.approaches import Nearest, TrackPairs, nearest, pairs_on_tracks
+from ropsim.simulation.ways.carrier_motion import Motion, frames_of, joint_motion_of
 from ropsim.simulation.ways.contacts import contacts_of, line_of
 from ropsim.simulation.ways.findings import contact_findings, without_contact_findings
 from ropsim.simulation.ways.intents import intended
@@ -24,8 +25,8 @@ class RunCollisions:
     """Collisions of a run.
 
     Attributes:
-        findings: an error S751 for each two bodies and line that collide, a warning S770 for each that come
-            too near.
+        findings: an error S751 for each two bodies and line that collide, S771 for each that may, and a
+            warning S770 for each that come too near.
         facts: the contacts, the least distance, and omitted checks.
     """
 
@@ -87,9 +88,10 @@ def run_collisions(
     )
     if not len(checked.pairs) or not len(recording.time):
         return RunCollisions((), facts)
-    seen = nearest(solids, checked, recording, progress)
-    found = contacts_of(solids, checked, seen, recording, cell, at_start)
-    clearance = _deepest(found.deep) or _clearance(solids, checked, seen, recording)
+    motion = joint_motion_of(solids.tree, recording)
+    seen = nearest(solids, checked, motion, progress)
+    found = contacts_of(solids, checked, seen, motion, recording, cell, at_start)
+    clearance = _deepest(found.deep) or _clearance(solids, checked, seen, motion, recording)
     met = (*facts.met, *(BodyPair(*pair) for pair in found.drawn))
     facts = replace(
         facts,
@@ -97,7 +99,8 @@ def run_collisions(
         met=met,
         contacts=found.deep,
         near=found.near,
-        filled=_filled(solids.tree, (*found.deep, *found.near)),
+        undecided=found.undecided,
+        filled=_filled(solids.tree, (*found.deep, *found.near, *found.undecided)),
     )
     return RunCollisions(contact_findings(replace(recording.facts, ways=facts)), facts)
 
@@ -124,27 +127,23 @@ def _deepest(contacts: tuple[Contact, ...]) -> Clearance | None:
 
 
 def _clearance(
-    solids: Collisions, checked: TrackPairs, seen: Nearest, recording: Recording
+    solids: Collisions, checked: TrackPairs, seen: Nearest, motion: Motion, recording: Recording
 ) -> Clearance | None:
     """Return the least distance of a run without penetrations, 0 for touch; None where nothing counts."""
     gaps = np.where(checked.pairs[:, 4] > 0.0, seen.gaps, np.inf)
     pair = int(np.argmin(gaps))
     if not np.isfinite(gaps[pair]):
         return None
-    row = int(seen.rows[pair])
-    found = _at(solids, checked, recording, pair, row)
-    time = float(recording.time[row])
+    place = float(seen.places[pair])
+    found = _at(solids, checked, motion, pair, place)
+    time = motion.time_at(place)
     line, station = line_of(checked, pair, time, recording, solids.tree.by_name())
     return Clearance(found.one, found.other, max(found.distance, 0.0), time, station, line)
 
 
-def _at(solids: Collisions, checked: TrackPairs, recording: Recording, pair: int, row: int) -> Nearness:
-    """Return how near a pair is at a row of the recording."""
-    channels, facts = recording.channels, recording.facts
-    Q = {
-        name: channels[facts.channel("q", name)].values[row].reshape(1, -1) for name in solids.tree.mechanisms
-    }
-    frames = frames_at(solids, checked, Q)[:, 0]
+def _at(solids: Collisions, checked: TrackPairs, motion: Motion, pair: int, place: float) -> Nearness:
+    """Return how near a pair is at a place, counted in rows."""
+    frames = frames_of(solids.tree, checked.carriers, motion.at(np.array([place])))[:, 0]
     poses = np.zeros((len(solids.bodies.convexes), 12))
     numbers = []
     for values in checked.items[checked.pairs[pair, :2].astype(int)]:

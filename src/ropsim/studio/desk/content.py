@@ -104,7 +104,8 @@ def _ways_on_lines(facts: RunFacts, ways: WayFacts, source: str, lines: Mapping[
     if near is not None and near.station in own:
         near = replace(near, line=lines.get(near.line, near.line))
     contacts, others = tuple(map(contact, ways.contacts)), tuple(map(contact, ways.near))
-    return replace(ways, clearance=near, contacts=contacts, near=others)
+    undecided = tuple(map(contact, ways.undecided))
+    return replace(ways, clearance=near, contacts=contacts, near=others, undecided=undecided)
 
 
 def _renumbered(channel: Channel, lines: Mapping[int, int]) -> Channel:
