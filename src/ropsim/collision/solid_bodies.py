@@ -65,7 +65,9 @@ class SolidBodies:
         gaps = np.abs(centres[i] - centres[j]) - halves[i] - halves[j]
         return np.asarray(np.linalg.norm(np.maximum(gaps, 0.0), axis=1) + np.minimum(gaps.max(axis=1), 0.0))
 
-    def distances(self, placed: Array, pairs: Rows, bounds: Array, limits: tuple[float, float]) -> Array:
+    def distances(
+        self, placed: Array, pairs: Rows | Array, bounds: Array, limits: tuple[float, float]
+    ) -> Array:
         """Return distances of the hulls without margins, and nearest points; see the kernel."""
         found = np.empty((len(pairs), 7))
         numbers, work = np.ascontiguousarray(pairs, dtype=np.float64), np.zeros((17, 4))

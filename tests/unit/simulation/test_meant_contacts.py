@@ -28,7 +28,7 @@ from ropsim.model import (
 from ropsim.simulation import Fidelity, RunOptions, run, run_collisions
 from ropsim.spatial import Array, Pose
 from support.cells import one_station, with_station
-from support.compiled import code_of
+from support.compiled import code_of, station_code
 from support.pressed import GRAVITY, MASS, PIN, RADIUS, contact, pressed_cell, springs
 
 STIFFNESS = 1e5
@@ -191,6 +191,33 @@ def test_a_contact_that_the_control_rate_cannot_follow_is_told() -> None:
     for damping, told in ((3900.0, []), (4100.0, ["S775"])):
         found = ran(pressed_cell(contact(1e5, damping)), "wait 0.01 s").findings
         assert [one.code for one in found] == told
+
+
+def test_each_of_two_stations_is_pushed_back_as_one_alone() -> None:
+    alone = pressed_cell(contact(STIFFNESS))
+    left = replace(alone.first, name="left")
+    right = replace(left, name="right", X_WB=Pose(np.array([0.3, 0.0, 0.0])))
+    cell = replace(alone, stations={"left": left, "right": right})
+    second = ("wait 0.05 s", "mov joints(0, 8.5)", "wait 0.2 s")
+    codes = {"left": station_code(cell, "left", *DOWN), "right": station_code(cell, "right", *second)}
+    both = run(cell, codes, RunOptions(laws={"left": HELD, "right": HELD}, record_hz=1000))
+    one = ran(alone, *DOWN)
+    found = both.channels["left/contact_wrench"].values[: len(one.time)]
+    assert np.array_equal(found, wrenches(one))
+    force = both.channels["right/contact_wrench"].values[-1, 2]
+    assert force == pytest.approx(1.5e-3 / (1.0 / STIFFNESS + 1.0 / SERVO), rel=0.01)
+
+
+def test_an_arm_that_is_lost_in_a_contact_keeps_what_was_recorded() -> None:
+    """The law puts out more than any number once the arm is pressed; the wrench has a row for each row of the arm."""
+    source = HELD.source.replace("par[2, k]", "par[2, k] + (1e301 if 0.001 < meas[0, 1] < 0.0099 else 0.0)")
+    lost = replace(HELD, name="lost", source=source)
+    recording = ran(pressed_cell(contact(STIFFNESS)), *DOWN, law=lost)
+    assert "S701" in [one.code for one in recording.findings]
+    assert len(wrenches(recording)) == len(recording.time)
+    assert np.isfinite(recording.rows("q")).all()
+    assert 0.0 < wrenches(recording)[:, 2].max() < STIFFNESS * 1e-3
+    assert recording.rows("q")[-1][1] < 0.0099
 
 
 def _gripping(moving: str, standing: str) -> Cell:

@@ -90,15 +90,16 @@ class ContactPairs:
         ]
         self._rows = np.array(rows, np.intp).reshape(-1, 3)
         laws = [(one.law.stiffness, one.law.damping, one.law.friction) for one in pairs]
+        self._pairs, self._every = self._rows[:, :2].astype(np.float64), np.zeros(len(rows))
+        self._margins = self._bodies.margins(self._rows)
         self._laws = np.array(laws).reshape(-1, 3)[self._rows[:, 2]]
 
     def placed(self, poses: Mapping[str, Array]) -> "PlacedPairs":
         """Return the pairs at poses X_WB of the bodies, shape (4, 4), by name; others are not there."""
         missing = [name for name in self._bodies.rows if name not in poses]
         placed = self._bodies.placed({**poses, **dict.fromkeys(missing, _AT_ORIGIN)})
-        every = np.zeros(len(self._rows))
-        found = self._bodies.distances(placed, self._rows[:, :2], every, (np.inf, np.inf))
-        gaps = found[:, 0] - self._bodies.margins(self._rows)
+        found = self._bodies.distances(placed, self._pairs, self._every, (np.inf, np.inf))
+        gaps = found[:, 0] - self._margins
         if missing:
             away = {row for name in missing if name != self._floor for row in self._bodies.rows[name]}
             gaps[[bool(away & {int(i), int(j)}) for i, j, _ in self._rows]] = np.inf
@@ -115,7 +116,7 @@ class ContactPairs:
         near = placed.gaps <= NEAR
         if not near.any():
             return Pressed(np.zeros(6), 0.0)
-        pairs = np.ascontiguousarray(self._rows[near, :2], dtype=np.float64)
+        pairs = np.ascontiguousarray(self._pairs[near])
         found = np.empty((len(pairs), 7))
         laws = np.ascontiguousarray(self._laws[near])
         contact_wrenches(self._surfaces, placed.poses, pairs, laws, motion, self._room, found)

@@ -21,6 +21,7 @@ from ropsim.model import (
     resisting_bodies,
     tool_body,
 )
+from ropsim.simulation.parts.placements import Placements, Seat
 from ropsim.simulation.state.cell_run import CellRun
 from ropsim.simulation.state.station_run import StationRun
 from ropsim.spatial import Array, Pose
@@ -69,6 +70,7 @@ class Touching:
     extent: dict[str, float]
     run: CellRun | None = None
     _fastest: dict[float, float] = field(default_factory=dict)
+    _seats: tuple[Placements, dict[str, Array], list[tuple[str, Seat]]] | None = None
 
     def exerted(self, q: Array, qd: Array, tick: int) -> Exerted:
         """Return what acts on the arm at coordinates and speeds of its axes.
@@ -124,32 +126,36 @@ class Touching:
 
     def _standing(self, run: CellRun, at: StationRun, q: Array, tick: int) -> dict[str, Array]:
         """Return the poses of the bodies that resist, by name; what other robots hold or move does not."""
-        moved = {body: one for one in run.devices.values() for body in one.bodies}
-        poses: dict[str, Pose] = {}
-        for one in {id(device): device for device in moved.values()}.values():
-            poses |= one.poses(tick / at.hz)
-        own = at.external_frames(q)
-        found: dict[str, Array] = {}
-        for name in self.resisting:
-            if name in poses:
-                found[name] = poses[name].matrix()
-                continue
+        if self._seats is None or self._seats[0] is not run.parts:
+            self._seats = run.parts, *self._seated(run)
+        _, still, riding = self._seats
+        if not riding:
+            return still
+        moved: dict[str, Array] = at.external_frames(q)
+        for device in run.devices.values():
+            moved |= {name: pose.matrix() for name, pose in device.poses(tick / at.hz).items()}
+        found = {name: moved[seat.rides] @ seat.pose.matrix() for name, seat in riding if seat.rides in moved}
+        return still | found
+
+    def _seated(self, run: CellRun) -> tuple[dict[str, Array], list[tuple[str, Seat]]]:
+        """Return the poses of the bodies that rest, by name, and where the others ride."""
+        still: dict[str, Array] = {}
+        riding: list[tuple[str, Seat]] = []
+        for name in sorted(self.resisting):
             seat = run.scenery.objects.get(name) or run.parts.seats.get(name)
-            if seat is None:
-                continue
-            if seat.rides == WORLD:
-                found[name] = seat.pose.matrix()
-            elif seat.rides in poses:
-                found[name] = (poses[seat.rides] @ seat.pose).matrix()
-            elif seat.rides in own:
-                found[name] = own[seat.rides] @ seat.pose.matrix()
-        return found
+            if any(name in device.bodies for device in run.devices.values()):
+                riding.append((name, Seat(name, name, Pose())))
+            elif seat is not None and seat.rides == WORLD:
+                still[name] = seat.pose.matrix()
+            elif seat is not None:
+                riding.append((name, seat))
+        return still, riding
 
     def _is_carried(self, run: CellRun, at: StationRun, q: Array) -> bool:
         """Return whether a device or external axis may move something that resists, at any time."""
+        riding = self._seats[2] if self._seats else []
         moved = {body for one in run.devices.values() for body in one.bodies} | at.external_frames(q).keys()
-        seats = [run.scenery.objects.get(name) or run.parts.seats.get(name) for name in self.resisting]
-        return bool(moved & self.resisting) or any(one is not None and one.rides in moved for one in seats)
+        return any(seat.rides in moved for _, seat in riding)
 
     def _reach(self, name: str, X_WB: Array, X_WM: Array) -> float:
         """Return how far a body reaches from the mechanical interface [m]."""
