@@ -43,7 +43,8 @@ def distances(
         found: distance [m], inf where it was left out; nearest points of the first and the second body in
             W [m]; shape (p, 7).
     """
-    work[16, 0], work[16, 1], work[16, 2], work[16, 3] = 0.0, 0.0, 0.0, inf
+    for k in range(4):
+        work[16, k] = 0.0
     for p in range(pairs.shape[0]):
         found[p, 0] = inf
         if bounds[p] > limits[0]:
@@ -67,8 +68,8 @@ def pair_distance(
     Rows of `work`: 0 to 3 the corners of the simplex, 4 to 7 and 8 to 11 the corners of the two bodies behind
     them, 12 the point v of the simplex nearest to the origin, 13 the shares of the corners in it, 14 shares
     that are tried, 15 a direction, 16 the direction to begin with, zeros for that between the middles of the
-    bodies, and the distance at which it is enough to know that they are not nearer [m]: the result is a lower
-    bound then, without nearest points.
+    bodies, and a distance: if they are not nearer, the result is a lower bound that is not less, without
+    nearest points; 0 for none [m].
     """
     for k in range(3):
         work[12, k] = work[16, k]
@@ -96,7 +97,7 @@ def pair_distance(
                 break
         else:
             least = max(along / sqrt(_dot(work, 12, 12)), 0.0)
-        if least >= work[16, 3]:
+        if least >= work[16, 3] > 0.0:
             found[p, 0] = least
             return
         better = _nearest(work, size + 1, square)

@@ -54,7 +54,7 @@ class Room(NamedTuple):
         points: row 0 for a point: in the frame of a body, slope of the depth there, in W, radius; then a row
             for each point in the other body: place in W [m], direction of its force, depth [m], weight;
             shape (r, 10).
-        simplex: shape (16, 4).
+        simplex: shape (17, 4).
         nearest: shape (1, 7).
     """
 

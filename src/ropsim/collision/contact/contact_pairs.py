@@ -81,7 +81,7 @@ class ContactPairs:
             for owner, convex in zip(self._bodies.owners, self._bodies.convexes, strict=True)
         ]
         self._surfaces, most = _packed(made, self._bodies)
-        self._room = Room(np.zeros((most, 10)), np.zeros((16, 4)), np.zeros((1, 7)))
+        self._room = Room(np.zeros((most, 10)), np.zeros((17, 4)), np.zeros((1, 7)))
         rows = [
             (i, j, n)
             for n, one in enumerate(pairs)
