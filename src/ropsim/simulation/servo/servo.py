@@ -40,7 +40,7 @@ from ropsim.simulation.servo.checks import (
     check_vector,
 )
 from ropsim.simulation.servo.diagnostics import DivergedError
-from ropsim.simulation.servo.divergence import diverged, first_fault, is_sound
+from ropsim.simulation.servo.divergence import diverged, first_fault, has_passed, is_sound, usual_volume
 from ropsim.simulation.servo.held_state import held_drives
 from ropsim.simulation.servo.judged import full_values
 from ropsim.simulation.servo.plant_code import efforts, plant_code
@@ -160,6 +160,7 @@ class Servo:
         layout.in_force(values)[0] = start
         if self.robot.cuts:
             values[list(layout.loops.passive)] = closed_coordinates(self.robot, start)
+            values[layout.loops.side] = usual_volume(self.robot)
         memory, pending = layout.memory(values), layout.waiting(values)
         for k, held in enumerate(held_drives(self.robot, start, payload)):
             values[list(layout.drive(k))] = held.states
@@ -227,12 +228,15 @@ class Servo:
         try:
             call(*reference, signals, log, state.tick, recorder.decimation, log_row, recorder.tally.table)
         except (ArithmeticError, ValueError) as error:  # plain Python raises where compiled code yields NaN
-            raise self._diverged(state, reference, signals, call, recorder) from error
+            raise self._fault(state, reference, signals, call, recorder) or error from error
         except (IndexError, StoppedError) as error:
             arrays = self._arguments_at_stop(state, reference, signals, call, payload)
             raise stopped(self.law, error, arrays) from error
-        if not is_sound(self.bench.values, self.layout):
-            raise self._diverged(state, reference, signals, call, recorder)
+        values = self.bench.values
+        if not is_sound(values, self.layout) or has_passed(values, self.layout):
+            fault = self._fault(state, reference, signals, call, recorder)
+            if fault:
+                raise fault
 
     def _arguments_at_stop(
         self, state: ServoState, reference: "_Rows", signals: Array, call: Compiled, payload: Payload
@@ -254,10 +258,10 @@ class Servo:
         load_ = np.array(barycentric(payload.mass, payload.com, payload.inertia))
         return {**made, "state": memory, "load": load_, "aux": signals[k].copy()}
 
-    def _diverged(
+    def _fault(
         self, state: ServoState, reference: "_Rows", signals: Array, call: Compiled, recorder: Log
-    ) -> DivergedError:
-        """Return the error of a slice at whose end the state was not sound: at the tick where that began."""
+    ) -> DivergedError | None:
+        """Return the error of a slice, at the tick where that began; None where there is none at any tick."""
         values, no_log, no_tally = self.bench.values, np.empty((1, 1)), np.zeros_like(recorder.tally.table)
         values[:] = state.values
 
@@ -265,7 +269,9 @@ class Servo:
             rows = (array[k : k + 1] for array in reference)
             call(*rows, signals[k : k + 1], no_log, state.tick + k, state.tick + k + 2, 0, no_tally)  # no row
 
-        ticks = first_fault(values, self.layout, len(signals), advance)
+        ticks = first_fault(self.robot, values, self.layout, len(signals), advance)
+        if ticks is None:
+            return None
         after = ServoState(state.tick + ticks, values.copy(), self.layout)
         return diverged(self.robot, after, Rates(self.control_hz, plant_steps=self.plant_steps))
 
