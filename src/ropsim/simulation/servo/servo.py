@@ -41,7 +41,7 @@ from ropsim.simulation.servo.checks import (
 )
 from ropsim.simulation.servo.diagnostics import DivergedError
 from ropsim.simulation.servo.divergence import diverged, first_fault, has_passed, is_sound, usual_volume
-from ropsim.simulation.servo.held_state import held_drives
+from ropsim.simulation.servo.held_state import held_drives, remember_chains
 from ropsim.simulation.servo.judged import full_values
 from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
@@ -161,6 +161,7 @@ class Servo:
         if self.robot.cuts:
             values[list(layout.loops.passive)] = closed_coordinates(self.robot, start)
             values[layout.loops.side] = usual_volume(self.robot)
+            remember_chains(self.law.traits, layout.memory(values), values[list(layout.loops.passive)])
         memory, pending = layout.memory(values), layout.waiting(values)
         for k, held in enumerate(held_drives(self.robot, start, payload)):
             values[list(layout.drive(k))] = held.states
