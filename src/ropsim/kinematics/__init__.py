@@ -25,7 +25,7 @@ from ropsim.kinematics.chain.closed_motion import JointMotion as JointMotion
 from ropsim.kinematics.chain.closed_motion import joint_motion as joint_motion
 from ropsim.kinematics.chain.closed_motion import loop_gaps as loop_gaps
 from ropsim.kinematics.chain.closure import independent_rows as independent_rows
-from ropsim.kinematics.chain.closure import row_volume as row_volume
+from ropsim.kinematics.chain.closure import usual_volume as usual_volume
 from ropsim.kinematics.chain.forward import forward as forward
 from ropsim.kinematics.chain.forward import forward_batch as forward_batch
 from ropsim.kinematics.chain.forward import frames_batch as frames_batch

@@ -94,10 +94,14 @@ class ClosedArrays:
         """Return the arrays as kernels take them."""
         return LoopArm(self.steps, self.ways, self.spread, self.ends, self.rows, self.interface, self.home)
 
-    def within(self, halvings: int) -> "ClosedArrays":
-        """Return the same, for kernels that give up following a chain where steps are halved more often."""
+    def within(self, effort: int) -> "ClosedArrays":
+        """Return the same, for kernels that give up following a chain after so many steps, halved ones more.
+
+        A kept step costs 1, one that is refused `closure_kernel.REFUSED` more; 0.3 rad at once are kept away
+        from dead centres.
+        """
         interface = self.interface.copy()
-        interface[14] = halvings
+        interface[14] = effort
         return replace(self, interface=frozen(interface))
 
     def work(self) -> LoopWork:

@@ -88,13 +88,26 @@ def independent_rows(mechanism: Mechanism) -> tuple[int, ...]:
     return tuple(sorted(chosen)) if len(chosen) == loops.p else ()
 
 
-def row_volume(mechanism: Mechanism, rows: tuple[int, ...], q: Array) -> float:
-    """Return the volume that slopes of rows by the coordinates of closed chains span; 0 in a dead centre.
+def row_volumes(loops: ClosedArrays, rows: tuple[int, ...], states: Array) -> Array:
+    """Return the determinants of the slopes of rows by the coordinates of closed chains; 0 in dead centres.
 
     Args:
-        mechanism: with closed chains.
+        loops: the mechanism.
         rows: of `independent_rows`.
-        q: coordinates of the axes [rad | m], shape (n,).
+        states: coordinates of axes and loops [rad | m], closed, shape (k, n + p).
+
+    Returns:
+        Shape (k,).
     """
-    slopes = closure(closed_arrays(mechanism), q)[1][list(rows)]
-    return float(abs(np.linalg.det(slopes)))
+    work, found = loops.work(), np.empty(len(states))
+    for k, state in enumerate(states):
+        write_rows(loops.arm(), np.ascontiguousarray(state), work)
+        found[k] = np.linalg.det((work.slopes @ loops.spread[:, loops.n : -1])[list(rows)])
+    return found
+
+
+def usual_volume(mechanism: Mechanism, rows: tuple[int, ...], Q: Array) -> float:
+    """Return the greatest volume of rows of `independent_rows` for axes at Q (k, n) where chains close."""
+    loops = closed_arrays(mechanism)
+    states, results = closed_states(loops, Q)
+    return float(np.abs(row_volumes(loops, rows, states[results[:, 1] <= APART])).max(initial=0.0))

@@ -40,6 +40,8 @@ LEAST = 1e-7
 """A chain that cannot follow an axis this far is locked [rad | m]."""
 AGREED = 0.05
 """Share of a step by which its ends may miss their tangents."""
+REFUSED = 3.0
+"""Effort of a step that is halved, beyond that of one that is kept."""
 DEPENDENT = 1e-11
 """Share of the largest slope below which a column depends on those before it."""
 
@@ -125,8 +127,9 @@ def follow(arm: LoopArm, state: Array, q: Array, work: LoopWork) -> float:
             state[i] = float("nan")
         return 0.0
     rank, share, h = _tangent(arm, slope, n, work), 0.0, 1.0 if longest <= STRIDE else STRIDE / longest
-    halvings = arm.interface[14]
-    while share < 1.0:
+    effort = arm.interface[14]
+    while share < 1.0 and effort > 0.0:
+        effort -= 1.0
         fastest = 0.0
         for i in range(n, total):
             fastest = max(fastest, abs(slope[i]))
@@ -143,10 +146,10 @@ def follow(arm: LoopArm, state: Array, q: Array, work: LoopWork) -> float:
             h = h * 1.5 if defect <= 0.2 * AGREED else h
         else:
             h *= 0.5
-            halvings -= 1.0
-            if h * longest < LEAST or halvings < 0.0:
+            effort -= REFUSED
+            if h * longest < LEAST:
                 return share
-    return 1.0
+    return share
 
 
 def follow_from_home(arm: LoopArm, state: Array, q: Array, work: LoopWork) -> float:

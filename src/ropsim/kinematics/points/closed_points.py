@@ -13,8 +13,8 @@ from ropsim.spatial import Array
 NEAREST_STEPS, LONGEST, SHORT = 200, 0.2, 1e-9
 """Steps to the nearest place at most; their longest and shortest way of an axis [rad | m]."""
 MOST_DAMPING = 1e6
-HALVINGS = 3
-"""How often a step may be halved that follows chains from home: more lead past dead centres."""
+EFFORT = 40
+"""Steps that are made to follow chains from home: more lead past dead centres."""
 
 
 def closed_rows(
@@ -34,7 +34,7 @@ def closed_rows(
         the basis, whose sign tells one branch from the next, shape (k, 3).
     """
     q, misses = np.array(starts), np.empty((len(starts), 3))
-    near, settings = loops.within(HALVINGS), np.array([float(continued)])
+    near, settings = loops.within(EFFORT), np.array([float(continued)])
     work, room = loops.work(), _room(loops)
     closed_point_rows(
         near.arm(), shape.tcp, shape.space, _poses(goals), q, unbounded(loops.n), settings, room, work, misses
@@ -66,7 +66,7 @@ def closed_followed(
         return None
     q, out = np.empty((len(s), loops.n)), np.empty((2, len(s), loops.n))
     q[0], result = q_start, np.array([*slacks, 0.0, 0.0, 0.0])
-    place, near = np.vstack((shape.tcp, shape.space)), loops.within(HALVINGS)
+    place, near = np.vstack((shape.tcp, shape.space)), loops.within(EFFORT)
     work, room = loops.work(), _room(loops)
     follow_closed_points(near.arm(), place, s, _poses(goals), rates, q, out, room, work, result)
     return None if result[0] < 0.0 else (q, out)
@@ -84,7 +84,7 @@ def closed_nearest(shape: PointShape, loops: ClosedArrays, goal: Array, q: Array
     Returns:
         Coordinates (n,), and the distance that is left [m]: the least one near to the start.
     """
-    X_MT, near = np.eye(4), loops.within(HALVINGS)
+    X_MT, near = np.eye(4), loops.within(EFFORT)
     X_MT[:3, 3] = shape.tcp
 
     def place(rows: Array) -> tuple[Array, Array]:

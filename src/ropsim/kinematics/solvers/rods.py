@@ -28,9 +28,9 @@ BALLS = {JointType.UNIVERSAL, JointType.SPHERICAL}
 HELD = frozenset(ALL_DIRECTIONS[:3])
 MOST_AXES = 6
 TURN = 2.0 * np.pi
-HALVINGS = 2
-"""How often a step may be halved that follows the chains from home to an answer: more cost milliseconds, and
-lead past dead centres into other assemblies."""
+EFFORT = 16
+"""Steps that are made to follow the chains from home to an answer: more cost milliseconds, and lead past dead
+centres into other assemblies."""
 
 
 class Lead(NamedTuple):
@@ -168,7 +168,7 @@ def recognise(robot: RobotModel) -> RodsSolver | str:
                 length,
             )
         )
-    arrays, postures = closed_arrays(robot).within(HALVINGS), (Posture(),) * 2**robot.n
+    arrays, postures = closed_arrays(robot).within(EFFORT), (Posture(),) * 2**robot.n
     return RodsSolver(robot, arrays, tuple(leads), numeric(robot), postures)
 
 

@@ -71,15 +71,15 @@ held, and the joint that went over.
 
 In a dead centre a closed chain locks: an axis cannot move on, and a joint without a motor moves while the
 axes stand. What moves there by its own speed goes on to the other side, where the chain is put together
-another way: crank and coupler are bent to the other hand, a parallelogram has become an anti-parallelogram.
+another way: crank and coupler are bent to the other hand.
 From then on the same coordinates of the axes mean another place of the tool, so positions, collisions and
 limits that follow would be wrong. A real arm leaves its references there.
 
 A planned move does not come to a dead centre (M556, M557). The arm does if it overshoots next to one, sags
 under its load, or is driven by the wrong joint: a slider does not turn a crank through its dead centre.
 
-A chain that passes such a pose and stays as it was put together, as a parallelogram does that is stretched
-and opens again as one, is no finding.
+A chain that passes such a pose and stays as it was put together is no finding. Parallelograms are simulated
+as couplings, and stay parallelograms when they are stretched and open again.
 
 Keep references off the dead centre by more than the arm overshoots, make another joint of the chain the
 axis, or limit the joint that went over.

@@ -6,7 +6,7 @@ from functools import lru_cache
 import numpy as np
 
 from ropsim.dynamics import GAP, structure_of
-from ropsim.kinematics import configurations, dead_centre, is_as_at_home, loop_gaps, row_volume
+from ropsim.kinematics import configurations, dead_centre, is_as_at_home, usual_volume
 from ropsim.model import BASE_LINK, JointType, Rates, RobotModel
 from ropsim.simulation.servo.diagnostics import CAME_APART, DIVERGED, PASSED_DEAD_CENTRE, DivergedError
 from ropsim.simulation.servo.state import ServoState, StateLayout
@@ -30,11 +30,11 @@ def is_sound(values: Array, layout: StateLayout) -> bool:
 
 
 @lru_cache(maxsize=64)
-def usual_volume(robot: RobotModel) -> float:
+def volume_at_rest(robot: RobotModel) -> float:
     """Return the greatest volume of the watched rows of closed chains at home and in some configurations."""
     rows = structure_of(robot).watched
     Q = np.vstack((robot.home, configurations(robot, _SAMPLES)))
-    return max(row_volume(robot, rows, q) for q in Q[loop_gaps(robot, Q) <= GAP]) if rows else 0.0
+    return usual_volume(robot, rows, Q) if rows else 0.0
 
 
 def has_passed(values: Array, layout: StateLayout) -> bool:

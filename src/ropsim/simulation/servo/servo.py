@@ -28,6 +28,7 @@ from ropsim.dynamics import (
     structure_of,
 )
 from ropsim.flow import JointReference
+from ropsim.kinematics import without_linear_loops
 from ropsim.model import ControllerKind, ControllerModel, Payload, Rates, RobotModel
 from ropsim.simulation.servo.checks import (
     check_aux,
@@ -40,7 +41,7 @@ from ropsim.simulation.servo.checks import (
     check_vector,
 )
 from ropsim.simulation.servo.diagnostics import DivergedError
-from ropsim.simulation.servo.divergence import diverged, first_fault, has_passed, is_sound, usual_volume
+from ropsim.simulation.servo.divergence import diverged, first_fault, has_passed, is_sound, volume_at_rest
 from ropsim.simulation.servo.held_state import held_drives, remember_chains
 from ropsim.simulation.servo.judged import full_values
 from ropsim.simulation.servo.plant_code import efforts, plant_code
@@ -66,7 +67,7 @@ class Servo:
     calls yield the same bits, independent of the slices of a reference.
 
     Attributes:
-        robot: the arm.
+        robot: the arm, with couplings for parallelograms, which stay parallelograms.
         law: the compiled law; for a law in Python the one that holds its output.
         python_law: the law in Python, if there is one.
         layout: of the state vector.
@@ -115,6 +116,7 @@ class Servo:
         """
         check_drives(robot)
         check_model(robot)
+        robot = without_linear_loops(robot)
         check_rates(controller.rates)
         chosen = law or joint_law(controller, robot)
         python_law = None if isinstance(chosen, CompiledLaw) else chosen
@@ -160,7 +162,7 @@ class Servo:
         layout.in_force(values)[0] = start
         if self.robot.cuts:
             values[list(layout.loops.passive)] = closed_coordinates(self.robot, start)
-            values[layout.loops.side] = usual_volume(self.robot)
+            values[layout.loops.side] = volume_at_rest(self.robot)
             remember_chains(self.law.traits, layout.memory(values), values[list(layout.loops.passive)])
         memory, pending = layout.memory(values), layout.waiting(values)
         for k, held in enumerate(held_drives(self.robot, start, payload)):
