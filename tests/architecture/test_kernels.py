@@ -29,6 +29,8 @@ IN_PYTHON = (
     "kinematics/chain/test_forward.py::test_places_of_tools_are_those_of_their_poses",
     "kinematics/test_closed_arms.py::test_derivatives_of_the_axes_on_a_path_come_back_from_those_of_the_tool[five-bar]",
     "kinematics/test_closed_arms.py::test_a_path_is_followed_back_to_its_joints[five-bar]",
+    "kinematics/test_closed_points.py::test_rows_on_a_line_are_on_it_and_have_their_derivatives[five-bar]",
+    "kinematics/test_closed_points.py::test_the_search_in_all_coordinates_finds_the_pose_of_a_configuration[five-bar]",
     "kinematics/chain/test_loop_freedom.py::test_a_planar_linkage_has_the_freedom_of_its_axis[four-bar]",
     "kinematics/chain/test_closed_motion.py::test_a_chain_followed_along_a_path_is_where_it_is_followed_from_home[robot0]",
     "kinematics/test_free_intervals.py::test_the_ends_are_where_answers_end[narrow iiwa14]",

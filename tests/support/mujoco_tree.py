@@ -25,7 +25,7 @@ class MujocoTree:
     """Rigid bodies of a tree with N joint coordinates, joint by joint; no friction, no couplings."""
 
     def __init__(self, mechanism: Mechanism) -> None:
-        self._model: Any = mujoco.MjModel.from_xml_string(_mjcf(mechanism))
+        self._model: Any = mujoco.MjModel.from_xml_string(mjcf_of_tree(mechanism))
         self._data: Any = mujoco.MjData(self._model)
         self.bodies = [self._model.body(f"body{k}").id for k in range(len(mechanism.joints))]
         self._rows, self._offsets = self._lifted(mechanism)
@@ -81,7 +81,7 @@ def _inertial(link: Link) -> str:
     return f'<inertial pos="{com}" mass="{link.mass!r}" fullinertia="{inertia}"/>'
 
 
-def _mjcf(mechanism: Mechanism) -> str:
+def mjcf_of_tree(mechanism: Mechanism) -> str:
     def children(parent: int) -> str:
         return "".join(body(k) for k, joint in enumerate(mechanism.joints) if joint.parent == parent)
 

@@ -10,10 +10,13 @@ has the speed q̇_ref + M·q⃛_ref/k and the acceleration q̈_ref + M·q⃜_ref
 load (A. De Luca: Feedforward/feedback laws for the control of flexible robots, ICRA 2000, 233-240; changes
 of gravity and Coriolis forces within the time of a swing are left out). Both are differences over a tick,
 the speed smoothed a little.
+
+In an arm with closed chains the law follows these from tick to tick, and brings the torques of all joints to
+the axes by virtual work (`dynamics.closed_law_code`). Parallelograms are couplings, as in an open chain.
 """
 
 from functools import lru_cache
-from math import isfinite
+from math import ceil, isfinite
 from sys import float_info
 
 import numpy as np
@@ -25,6 +28,7 @@ from ropsim.dynamics import (
     ArmStructure,
     arm_numbers,
     check_model,
+    closed_law_code,
     command_band,
     command_limit,
     elastic_axes,
@@ -36,6 +40,7 @@ from ropsim.dynamics import (
     trace_loaded_links,
     with_rigid_gears,
 )
+from ropsim.kinematics import without_linear_loops
 from ropsim.model import ComputedTorqueGains, ControllerModel, Drive, Mechanism
 
 _ROWS = (
@@ -83,7 +88,7 @@ def computed_torque(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
 
     Args:
         model: its gains and control period.
-        robot: arm with drives whose gears have constant ratios.
+        robot: arm with drives whose gears have constant ratios, and are rigid where there are closed chains.
 
     Raises:
         GainError: the gains belong to another law, or do not have a number per axis.
@@ -91,6 +96,7 @@ def computed_torque(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
         MechanismError: the mechanism cannot be.
     """
     check_model(robot)
+    robot = without_linear_loops(robot)
     n, rigid = robot.n, with_rigid_gears(robot)
     gains = gain_rows(model, ComputedTorqueGains, n)
     numbers = np.array(arm_numbers(rigid))
@@ -98,14 +104,19 @@ def computed_torque(model: ControllerModel, robot: Mechanism) -> CompiledLaw:
     arm = np.concatenate((numbers, np.zeros(-len(numbers) % n))).reshape(-1, n)
     inputs = [_input(drive, q) for drive, q in zip(robot.drives, robot.home.tolist(), strict=True)]
     softness, soft = 1.0 / gear_stiffnesses(robot), tuple(elastic_axes(robot).tolist())
-    period = np.full(n, model.rates.control_period)
+    period, structure = np.full(n, model.rates.control_period), structure_of(rigid)
+    chains = tuple(f"chain_{k + 1}" for k in range(ceil(structure.passive / n)))
+    closed = structure.cuts != ()
+    functions = _closed_torques(structure) if closed else (_torques(structure, soft),)
     return CompiledLaw(
         name="computed_torque",
         source=_LAW.format(twist=" + state[2, j]" if any(soft) else ""),
         parameter_names=(*_ROWS, *(f"arm {k + 1}" for k in range(len(arm)))),
         parameters=np.vstack((*gains, period, np.array(inputs).T, softness, arm)),
-        traits=LawTraits(state_names=_SOFT if any(soft) else _STIFF),
-        functions=(_torques(structure_of(rigid), soft),),
+        traits=LawTraits(
+            state_names=(*(_SOFT if any(soft) else _STIFF), *chains), chain_row=1 if chains else None
+        ),
+        functions=functions,
     )
 
 
@@ -162,3 +173,23 @@ def _torques(structure: ArmStructure, soft: tuple[bool, ...]) -> SourceFunction:
     tau = trace_loaded_inverse(tracer, structure, arm, (q, qd, wanted), load, motors)
     results = [*((f"out[{k}]", one) for k, one in enumerate(tau)), *kept]
     return emit("torques", ("par", "state", "ref", "meas", "load", "out"), results)
+
+
+_CLOSED = f"""\
+def torques(par, state, ref, meas, load, out):
+    wanted = np.empty({{n}})
+    for k in range({{n}}):
+        asked = par[{{n}} * {_KD} + k] * (ref[{{n}} + k] - meas[{{n}} + k])
+        asked += par[{{n}} * {_KP} + k] * (ref[k] - meas[k])
+        wanted[k] = ref[{{n2}} + k] + asked + state[k]
+    z, model = state[{{n}}:{{end}}], par[{{n}} * {len(_ROWS)}:]
+    closed_inverse(z, meas[:{{n}}], meas[{{n}}:{{n2}}], wanted, ref[{{n}}:{{n2}}], model, load, out)
+"""
+
+
+@lru_cache(maxsize=16)
+def _closed_torques(structure: ArmStructure) -> tuple[SourceFunction, ...]:
+    """Return `torques` as `_torques` does, of an arm with closed chains, with the functions before it."""
+    n, vectors = structure.n, ", ".join(["f8[::1]"] * 6)
+    text = _CLOSED.format(n=n, n2=2 * n, end=n + structure.passive)
+    return (*closed_law_code(structure), SourceFunction("torques", f"void({vectors})", text))

@@ -24,6 +24,8 @@ class LawTraits:
         sensed: names of states of the drives that it reads, such as `pressure_a`, `opening`, `current`,
             `motor_coordinate`: those that `ropsim.dynamics.DriveChain.states` of a drive has.
         sensed_axes: numbers of the axes whose drives must have all of these; None for all axes.
+        chain_row: first of the rows in which it remembers the coordinates of closed chains, one behind the
+            other; a start sets them. None without.
     """
 
     u_kind: InputKind | None = None
@@ -33,6 +35,7 @@ class LawTraits:
     delay: int = 0
     sensed: tuple[str, ...] = ()
     sensed_axes: tuple[int, ...] | None = None
+    chain_row: int | None = None
 
 
 @record

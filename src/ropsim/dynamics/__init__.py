@@ -51,7 +51,9 @@ from ropsim.dynamics.long_arms.long_arm import chain_numbers as chain_numbers
 from ropsim.dynamics.loops.closed_arm import closed_coordinates as closed_coordinates
 from ropsim.dynamics.loops.free_motion import FreeMotion as FreeMotion
 from ropsim.dynamics.loops.free_motion import free_motion as free_motion
+from ropsim.dynamics.loops.law_code import closed_law_code as closed_law_code
 from ropsim.dynamics.loops.plant_code import GAP as GAP
+from ropsim.dynamics.loops.plant_code import LOOP_NUMBERS as LOOP_NUMBERS
 from ropsim.dynamics.loops.plant_code import LoopState as LoopState
 from ropsim.dynamics.loops.plant_code import motion_code as motion_code
 from ropsim.dynamics.loops.plant_code import plant_formulas as plant_formulas

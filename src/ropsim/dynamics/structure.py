@@ -22,6 +22,7 @@ from ropsim.dynamics.fastened import (
     sprung_rows,
 )
 from ropsim.dynamics.inertia import interface_step, step_bodies, tip_body
+from ropsim.kinematics import independent_rows
 from ropsim.model import BASE_LINK, JointType, Mechanism, Payload, joint_tree
 from ropsim.spatial import Array, frozen
 
@@ -54,6 +55,7 @@ class ArmStructure:
         cuts: of closed chains.
         springs: between bodies.
         sprung: (T, P, c) of the coordinate of each spring on one.
+        watched: rows of the cuts that determine z; see `kinematics.independent_rows`.
     """
 
     types: tuple[JointType, ...]
@@ -69,6 +71,7 @@ class ArmStructure:
     cuts: tuple[CutPlaces, ...] = ()
     springs: tuple[SpringPlaces, ...] = ()
     sprung: tuple[tuple[float, ...], ...] = ()
+    watched: tuple[int, ...] = ()
 
     @property
     def n(self) -> int:
@@ -145,6 +148,7 @@ def structure_of(robot: Mechanism) -> ArmStructure:
         cuts=cut_places(robot),
         springs=spring_places(robot),
         sprung=sprung_rows(robot),
+        watched=independent_rows(robot) if robot.cuts else (),
     )
 
 

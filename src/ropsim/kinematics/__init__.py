@@ -24,6 +24,8 @@ from ropsim.kinematics.chain.chain_kernel import forward_rows as forward_rows
 from ropsim.kinematics.chain.closed_motion import JointMotion as JointMotion
 from ropsim.kinematics.chain.closed_motion import joint_motion as joint_motion
 from ropsim.kinematics.chain.closed_motion import loop_gaps as loop_gaps
+from ropsim.kinematics.chain.closure import independent_rows as independent_rows
+from ropsim.kinematics.chain.closure import usual_volume as usual_volume
 from ropsim.kinematics.chain.forward import forward as forward
 from ropsim.kinematics.chain.forward import forward_batch as forward_batch
 from ropsim.kinematics.chain.forward import frames_batch as frames_batch
@@ -37,8 +39,11 @@ from ropsim.kinematics.chain.jacobian import jacobian_at as jacobian_at
 from ropsim.kinematics.chain.jacobian import jacobians_at as jacobians_at
 from ropsim.kinematics.chain.linear_loops import without_linear_loops as without_linear_loops
 from ropsim.kinematics.chain.loop_freedom import loop_freedom as loop_freedom
+from ropsim.kinematics.chain.loop_passage import DeadCentre as DeadCentre
 from ropsim.kinematics.chain.loop_passage import LoopPassage as LoopPassage
 from ropsim.kinematics.chain.loop_passage import Obstacle as Obstacle
+from ropsim.kinematics.chain.loop_passage import dead_centre as dead_centre
+from ropsim.kinematics.chain.loop_passage import is_as_at_home as is_as_at_home
 from ropsim.kinematics.chain.loop_passage import loop_passage as loop_passage
 from ropsim.kinematics.chain.tool_pose_kernel import write_pose_product as write_pose_product
 from ropsim.kinematics.chain.tool_pose_kernel import write_tool_pose as write_tool_pose

@@ -6,6 +6,7 @@ from functools import lru_cache
 from ropsim.kinematics.chain.closed_arrays import closed_arrays
 from ropsim.kinematics.chain.linear_loops import without_linear_loops
 from ropsim.kinematics.solutions.solver import InverseSolver, Method, RedundantSolver
+from ropsim.kinematics.solvers import rods
 from ropsim.kinematics.solvers.coupled import coupled, plain_arm
 from ropsim.kinematics.solvers.general import few_axis as general_few_axis
 from ropsim.kinematics.solvers.general import seven_axis as general_seven_axis
@@ -68,7 +69,8 @@ def _of_loops(robot: RobotModel) -> InverseSolver:
         plain = solver_of(switched.plain)
         if plain.method is not Method.NUMERIC and not isinstance(plain, RedundantSolver):
             return LoopedSolver(plain, closed_arrays(linear), switched)
-    return numeric(robot)
+    on_rods = rods.recognise(linear)
+    return numeric(robot) if isinstance(on_rods, str) else on_rods
 
 
 @lru_cache(maxsize=64)

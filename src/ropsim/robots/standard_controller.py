@@ -11,6 +11,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ropsim.dynamics import chain_of, check_model, elastic_axes, structure_of
+from ropsim.kinematics import without_linear_loops
 from ropsim.model import (
     ControllerKind,
     ControllerModel,
@@ -161,12 +162,14 @@ def _is_long(robot: Mechanism) -> bool:
 
 
 def _is_modelled(robot: Mechanism) -> bool:
-    """Return whether torques of the model can be commanded: to electric motors, of a short open chain.
+    """Return whether torques of the model can be commanded: to electric motors, of a short chain.
 
-    Straight-line code of a long chain takes long to compile.
+    Straight-line code of a long chain takes long to compile. Elastic gears of closed chains other than
+    parallelograms have no feed-forward.
     """
     levers = any(isinstance(drive.transmission, Linkage) for drive in robot.drives)
-    return not (levers or hydraulic_axes(robot) or _is_long(robot) or robot.cuts)
+    sways = elastic_axes(robot).any() and bool(without_linear_loops(robot).cuts)
+    return not (levers or hydraulic_axes(robot) or _is_long(robot) or sways)
 
 
 def _origin(statement: str) -> ParameterOrigin:

@@ -42,7 +42,7 @@ ARMS = {
     "two-link with cylinders": (two_link_with_cylinders, "planar two-link"),
     "five-bar": (five_bar, "planar two-link"),
     "six-axis with cylinders": (six_axis_with_cylinders, "spherical wrist"),
-    "delta": (delta, "numeric"),
+    "delta": (delta, "plate on rods"),
 }
 SMALL = {"palletizer": 0.3, "five-bar": 0.25, "delta": 0.3}
 SAME = 1e-9

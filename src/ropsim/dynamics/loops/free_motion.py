@@ -57,9 +57,9 @@ def free_motion(
         Rows at the start and after each `every` steps.
     """
     structure = structure_of(robot)
-    n, total = structure.n, structure.count
-    x = np.zeros(2 * total + 1)
+    n = structure.n
     state = _state(structure)
+    x = np.zeros(state.stop)
     x[state.places], x[state.speed_places] = y, yd
     efforts = np.zeros(n) if tau is None else np.array(tau, np.float64)
     rows = np.empty((count // every + 1, len(x)))

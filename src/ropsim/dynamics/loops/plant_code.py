@@ -24,6 +24,12 @@ GAP = 1e-9
 SETTLED = 1e-9
 """Residual between frames that needs no second step [m, rad]: its square remains after the first."""
 
+LOOP_NUMBERS = 3
+"""Numbers of closed chains in a state besides coordinates and speeds."""
+
+NEAR = 0.02
+"""Share of the usual volume of the watched rows below which chains are next to a dead centre."""
+
 ROUNDS = 8
 """Most steps of Newton's method behind a step of the integration."""
 
@@ -37,7 +43,7 @@ class LoopState:
         passive: places of the coordinates that closed chains determine.
         passive_speeds: places of their speeds.
         rates: places of the states of drives.
-        gap: place of the residual between the frames.
+        gap: place of the residual between the frames; behind it are `side` and `passed`.
     """
 
     n: int
@@ -45,6 +51,24 @@ class LoopState:
     passive_speeds: range
     rates: range
     gap: int
+
+    @property
+    def side(self) -> int:
+        """Return the place of the usual volume of the watched rows, with the sign of the present one.
+
+        It is 0 where dead centres are not told.
+        """
+        return self.gap + 1
+
+    @property
+    def passed(self) -> int:
+        """Return the place of what becomes 1.0 where that sign changes, and next to a dead centre."""
+        return self.gap + 2
+
+    @property
+    def stop(self) -> int:
+        """Return how many numbers the state has."""
+        return self.gap + LOOP_NUMBERS
 
     @property
     def places(self) -> list[int]:
@@ -103,7 +127,7 @@ def whole_matrix(lower: Sequence[Sequence[Scalar]]) -> list[Scalar]:
     return [lower[max(i, j)][min(i, j)] for i in range(n) for j in range(n)]
 
 
-def motion_code(state: LoopState, rows: int) -> tuple[SourceFunction, ...]:
+def motion_code(state: LoopState, rows: int, watched: Sequence[int] = ()) -> tuple[SourceFunction, ...]:
     """Return `settle(x, constants)` and `derivative(x, u, constants, dx)`, with the solver before them.
 
     They call the functions of `plant_formulas`.
@@ -111,6 +135,7 @@ def motion_code(state: LoopState, rows: int) -> tuple[SourceFunction, ...]:
     Args:
         state: where coordinates and speeds stand in it.
         rows: number of directions that cuts hold.
+        watched: of these, whose determinant tells the side of a dead centre; none where it is not told.
     """
     count = len(state.places)
     square = count * count
@@ -132,6 +157,9 @@ def motion_code(state: LoopState, rows: int) -> tuple[SourceFunction, ...]:
         "left": square + rows * count,
         "moved": moved,
         "gap": state.gap,
+        "watch": _watch(state, watched) if watched else "",
+        "side": state.side,
+        "passed": state.passed,
         "rounds": ROUNDS,
         "settled": repr(SETTLED),
         "nothing": repr(NOTHING),
@@ -145,6 +173,21 @@ def motion_code(state: LoopState, rows: int) -> tuple[SourceFunction, ...]:
         SourceFunction("settle", "void(f8[::1], f8[::1])", _SETTLE % sizes),
         SourceFunction("derivative", "void(f8[::1], f8[::1], f8[::1], f8[::1])", _DERIVATIVE % sizes),
     )
+
+
+def _watch(state: LoopState, rows: Sequence[int]) -> str:
+    """Return the statements of `settle` that tell the side, from slopes that it has anyway."""
+    p = len(rows)
+    picked = "".join(f"        D[{i}, j] = A[{row}, {state.n} + j]\n" for i, row in enumerate(rows))
+    return f"""\
+    D = np.empty(({p}, {p}))
+    for j in range({p}):
+{picked}    volume, usual = signed_volume(D), x[{state.side}]
+    if volume * usual < 0.0 or abs(volume) < {NEAR!r} * abs(usual):
+        x[{state.passed}] = 1.0
+    if volume * usual < 0.0:
+        x[{state.side}] = -usual
+"""
 
 
 def _added(places: list[int]) -> str:
@@ -161,7 +204,7 @@ def derivative(x, u, constants, dx):
     factor_mass(t[:%(M)d].reshape((%(N)d, %(N)d)), A, %(nothing)s, L)
     factor_rows(A, L, %(dependent)s, Q, R, order)
     solve_rows(L, Q, R, order, t[%(M)d:%(A)d], t[%(b)d:%(rates)d], parts, y)
-%(moved)s    dx[%(gap)d] = 0.0
+%(moved)s    dx[%(gap)d] = dx[%(side)d] = dx[%(passed)d] = 0.0
 """
 
 _SETTLE = """\
@@ -187,4 +230,4 @@ def settle(x, constants):
         solve_rows(L, Q, R, order, f, b, parts, y)
 %(sped)s        if not most > %(settled)s:
             break
-"""
+%(watch)s"""

@@ -176,3 +176,25 @@ def solve_rows(
         for j in range(i + 1, n):
             total -= L[j, i] * x[j]
         x[i] = total / L[i, i]
+
+
+def signed_volume(D: Array) -> float:
+    """Return the determinant of a square matrix, by elimination with exchange of rows; D is not kept."""
+    p, volume = D.shape[0], 1.0
+    for step in range(p):
+        best = step
+        for i in range(step + 1, p):
+            if abs(D[i, step]) > abs(D[best, step]):
+                best = i
+        if best != step:
+            volume = -volume
+            for j in range(step, p):
+                D[step, j], D[best, j] = D[best, j], D[step, j]
+        volume *= D[step, step]
+        if volume == 0.0:
+            return 0.0
+        for i in range(step + 1, p):
+            factor = D[i, step] / D[step, step]
+            for j in range(step + 1, p):
+                D[i, j] -= factor * D[step, j]
+    return volume

@@ -6,7 +6,7 @@ from ropsim.codegen import SourceFunction, source_function
 from ropsim.dynamics.loops import solver
 
 _ROWS = "f8[:,::1]"
-_MATRICES = {name: _ROWS for name in ("M", "A", "L", "Q", "R")}
+_MATRICES = {name: _ROWS for name in ("M", "A", "L", "Q", "R", "D")}
 
 
 @cache
@@ -20,4 +20,5 @@ def solver_code() -> tuple[SourceFunction, ...]:
         source_function(solver.take_out, returns="f8", **numbers),
         source_function(solver.factor_rows, **numbers),
         source_function(solver.solve_rows, **numbers),
+        source_function(solver.signed_volume, returns="f8", **numbers),
     )

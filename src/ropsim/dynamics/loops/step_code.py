@@ -31,7 +31,7 @@ def step_code(state: LoopState) -> SourceFunction:
         f"        fastest = max(fastest, math.sqrt(abs(k1[{place}]) / {LARGEST_TURN!r}))\n"
         for place in state.passive_speeds
     )
-    sizes = {"size": state.gap + 1, "fastest": fastest, "most": MOST_PARTS}
+    sizes = {"size": state.stop, "fastest": fastest, "most": MOST_PARTS}
     return SourceFunction("loop_step", "void(f8[::1], f8[::1], f8, f8[:,::1], f8[::1])", _STEP % sizes)
 
 

@@ -41,6 +41,26 @@ def trace_loaded_inverse(
     return tau
 
 
+def trace_loaded_tree(
+    tracer: Tracer,
+    structure: ArmStructure,
+    numbers: TracedNumbers,
+    motion: tuple[Axes, Axes, Axes],
+    load: list[Scalar],
+) -> list[Scalar]:
+    """Return the efforts of bodies and springs at all coordinates of a tree, without drives.
+
+    Args:
+        tracer: the graph.
+        structure: of the arm.
+        numbers: of the arm without payload.
+        motion: coordinates, speeds and accelerations of axes and closed chains.
+        load: as in `trace_loaded_inverse`.
+    """
+    y, yd, ydd = motion
+    return trace_inverse(_loaded(trace_arm(tracer, structure, numbers, y), load), list(yd), list(ydd))
+
+
 def trace_loaded_links(
     tracer: Tracer,
     structure: ArmStructure,

@@ -1,5 +1,6 @@
 """The arm as traced scalars: the moving frames and bodies from which the recursions are written."""
 
+import math
 from collections.abc import Sequence
 
 from ropsim.codegen import Scalar, Tracer, cos, sin
@@ -8,6 +9,9 @@ from ropsim.dynamics.fastened import Placement, SpringPlaces
 from ropsim.dynamics.structure import ArmStructure, TracedNumbers
 from ropsim.dynamics.traced.vectors import Matrix, Vector
 from ropsim.model import JointType
+
+ROUNDING = 1e-15
+"""Of sines and cosines of right angles."""
 
 
 @frozen_dataclass
@@ -91,15 +95,16 @@ def trace_arm(
 ) -> TracedArm:
     """Return the arm with its coordinates at `q`, n of them."""
     rotations, origins, moving = [], [], tuple(q)
-    if structure.spread:
-        q = [_sum(tracer, row[:-1], q) + row[-1] for row in structure.spread]
-    for type_, placement, offset, coordinate in zip(
-        structure.types, structure.placements, structure.offsets, q, strict=True
+    spread, turns = structure.spread, _Turns(tracer, moving)
+    if spread:
+        q = [_sum(tracer, row[:-1], q) + row[-1] for row in spread]
+    for step, (type_, placement, offset, coordinate) in enumerate(
+        zip(structure.types, structure.placements, structure.offsets, q, strict=True)
     ):
         R0, p0 = traced_placement(tracer, placement)
         moved = coordinate + offset
         if type_ is JointType.REVOLUTE:
-            s, c = sin(moved), cos(moved)
+            s, c = turns.of(spread[step], offset) if spread else (sin(moved), cos(moved))
             rows = [(r[0] * c + r[1] * s, r[1] * c - r[0] * s, r[2]) for r in R0]
             rotations.append((rows[0], rows[1], rows[2]))
             origins.append(p0)
@@ -123,6 +128,47 @@ def trace_arm(
         structure.sprung,
         tuple(numbers.springs),
     )
+
+
+class _Turns:
+    """Sines and cosines of sums of coordinates, from those of the coordinates where factors are 1 and -1.
+
+    The angles of a parallelogram are such sums: each costs four products in place of a sine and a cosine.
+
+    Args:
+        tracer: the graph.
+        coordinates: of the axes, then of closed chains.
+    """
+
+    def __init__(self, tracer: Tracer, coordinates: Sequence[Scalar]) -> None:
+        self._tracer, self._coordinates = tracer, coordinates
+        self._known: dict[int, tuple[Scalar, Scalar]] = {}
+
+    def of(self, row: Sequence[float], offset: float) -> tuple[Scalar, Scalar]:
+        """Return sine and cosine of a row of (T, P, c), plus an offset [rad]."""
+        tracer, factors, fixed = self._tracer, row[:-1], row[-1] + offset
+        moving = [factor for factor in factors if factor]
+        if moving == [1.0] or any(factor not in {1.0, -1.0} for factor in moving):
+            moved = _sum(tracer, factors, self._coordinates) + fixed
+            return sin(moved), cos(moved)
+        s, c = (tracer.constant(_exact(one)) for one in (math.sin(fixed), math.cos(fixed)))
+        for number, factor in enumerate(factors):
+            if factor:
+                s1, c1 = self._pair(number)
+                s, c = s * c1 + factor * (c * s1), c * c1 - factor * (s * s1)
+        return s, c
+
+    def _pair(self, number: int) -> tuple[Scalar, Scalar]:
+        if number not in self._known:
+            one = self._coordinates[number]
+            self._known[number] = sin(one), cos(one)
+        return self._known[number]
+
+
+def _exact(value: float) -> float:
+    """Return a sine or cosine without the rounding of a right angle."""
+    nearest = float(round(value))
+    return nearest if abs(value - nearest) < ROUNDING else value
 
 
 def _sum(tracer: Tracer, factors: Sequence[float], values: Sequence[Scalar]) -> Scalar:

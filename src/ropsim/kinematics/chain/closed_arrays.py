@@ -1,5 +1,6 @@
 """Data of a mechanism with closed chains for kernels, made once per mechanism."""
 
+from dataclasses import replace
 from functools import lru_cache
 from math import isfinite, tau
 
@@ -58,7 +59,7 @@ class ClosedArrays:
         spread: shape (m, n + p + 1).
         ends: shape (c, 26).
         rows: shape (r, 8).
-        interface: shape (14,).
+        interface: shape (15,).
         home: coordinates of axes and loops in the rest position, shape (n + p,).
         turning: 1.0 for an axis whose whole turns change no pose, else 0.0, shape (n,).
         apart: what is left between the frames of the cuts in the rest position [m, rad].
@@ -92,6 +93,16 @@ class ClosedArrays:
     def arm(self) -> LoopArm:
         """Return the arrays as kernels take them."""
         return LoopArm(self.steps, self.ways, self.spread, self.ends, self.rows, self.interface, self.home)
+
+    def within(self, effort: int) -> "ClosedArrays":
+        """Return the same, for kernels that give up following a chain after so many steps, halved ones more.
+
+        A kept step costs 1, one that is refused `closure_kernel.REFUSED` more; 0.3 rad at once are kept away
+        from dead centres.
+        """
+        interface = self.interface.copy()
+        interface[14] = effort
+        return replace(self, interface=frozen(interface))
 
     def work(self) -> LoopWork:
         """Return room for kernels to work in."""
@@ -162,7 +173,7 @@ def _open_arrays(mechanism: Mechanism) -> ClosedArrays:
         spread=frozen(np.column_stack((tree.T, tree.P, tree.c))),
         ends=frozen([_ends(tree, cut, ends) for cut, ends in zip(mechanism.cuts, carriers, strict=True)]),
         rows=frozen(_rows(mechanism.cuts)),
-        interface=frozen([_carrier(tree, mechanism.interface_link), *_flat(interface), 0.0]),
+        interface=frozen([_carrier(tree, mechanism.interface_link), *_flat(interface), 0.0, np.inf]),
         home=frozen(np.concatenate((mechanism.home, np.zeros(tree.P.shape[1])))),
         turning=frozen(_turning(mechanism, tree, slides)),
         apart=np.inf,

@@ -7,8 +7,9 @@ on that, along one axis after the other.
 
 import numpy as np
 
-from ropsim.kinematics.chain.closed_arrays import ClosedArrays
-from ropsim.kinematics.chain.closure_kernel import close_along, close_rows, write_rows
+from ropsim.kinematics.chain.closed_arrays import NUDGE, ClosedArrays, closed_arrays
+from ropsim.kinematics.chain.closure_kernel import DEPENDENT, close_along, close_rows, write_rows
+from ropsim.model import Mechanism
 from ropsim.spatial import Array
 
 APART = 1e-9
@@ -58,3 +59,55 @@ def cut_gaps(loops: ClosedArrays, states: Array) -> Array:
         write_rows(loops.arm(), np.ascontiguousarray(state), work)
         np.maximum.at(gaps[k], loops.rows[:, 0].astype(int), np.abs(work.left[0]))
     return gaps
+
+
+def independent_rows(mechanism: Mechanism) -> tuple[int, ...]:
+    """Return which rows of the cuts determine the coordinates of closed chains, as many as these are.
+
+    The determinant of their slopes by these coordinates changes its sign where chains pass a dead centre.
+    The rows are chosen at home, or beside it where that is one: the longest first, less what depends on those
+    before it.
+
+    Returns:
+        Numbers of the rows; none where the rows leave a coordinate free.
+    """
+    loops = closed_arrays(mechanism)
+    nudges = NUDGE * np.vstack((np.zeros(loops.n), np.eye(loops.n), -np.eye(loops.n)))
+    beside = [closure(loops, mechanism.home + nudge)[1] for nudge in nudges]
+    left = max(beside, key=lambda slopes: float(np.linalg.svd(slopes, compute_uv=False).min(initial=np.inf)))
+    left, chosen, first = left.copy(), [], 0.0
+    for _ in range(min(loops.p, len(left))):
+        lengths = np.linalg.norm(left, axis=1)
+        row = int(lengths.argmax())
+        first = max(first, float(lengths[row]))
+        if not lengths[row] > DEPENDENT * first:
+            break
+        chosen.append(row)
+        unit = left[row] / lengths[row]
+        left -= np.outer(left @ unit, unit)
+    return tuple(sorted(chosen)) if len(chosen) == loops.p else ()
+
+
+def row_volumes(loops: ClosedArrays, rows: tuple[int, ...], states: Array) -> Array:
+    """Return the determinants of the slopes of rows by the coordinates of closed chains; 0 in dead centres.
+
+    Args:
+        loops: the mechanism.
+        rows: of `independent_rows`.
+        states: coordinates of axes and loops [rad | m], closed, shape (k, n + p).
+
+    Returns:
+        Shape (k,).
+    """
+    work, found = loops.work(), np.empty(len(states))
+    for k, state in enumerate(states):
+        write_rows(loops.arm(), np.ascontiguousarray(state), work)
+        found[k] = np.linalg.det((work.slopes @ loops.spread[:, loops.n : -1])[list(rows)])
+    return found
+
+
+def usual_volume(mechanism: Mechanism, rows: tuple[int, ...], Q: Array) -> float:
+    """Return the greatest volume of rows of `independent_rows` for axes at Q (k, n) where chains close."""
+    loops = closed_arrays(mechanism)
+    states, results = closed_states(loops, Q)
+    return float(np.abs(row_volumes(loops, rows, states[results[:, 1] <= APART])).max(initial=0.0))

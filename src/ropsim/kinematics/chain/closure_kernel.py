@@ -40,6 +40,8 @@ LEAST = 1e-7
 """A chain that cannot follow an axis this far is locked [rad | m]."""
 AGREED = 0.05
 """Share of a step by which its ends may miss their tangents."""
+REFUSED = 3.0
+"""Effort of a step that is halved, beyond that of one that is kept."""
 DEPENDENT = 1e-11
 """Share of the largest slope below which a column depends on those before it."""
 
@@ -125,7 +127,9 @@ def follow(arm: LoopArm, state: Array, q: Array, work: LoopWork) -> float:
             state[i] = float("nan")
         return 0.0
     rank, share, h = _tangent(arm, slope, n, work), 0.0, 1.0 if longest <= STRIDE else STRIDE / longest
-    while share < 1.0:
+    effort = arm.interface[14]
+    while share < 1.0 and effort > 0.0:
+        effort -= 1.0
         fastest = 0.0
         for i in range(n, total):
             fastest = max(fastest, abs(slope[i]))
@@ -142,9 +146,10 @@ def follow(arm: LoopArm, state: Array, q: Array, work: LoopWork) -> float:
             h = h * 1.5 if defect <= 0.2 * AGREED else h
         else:
             h *= 0.5
+            effort -= REFUSED
             if h * longest < LEAST:
                 return share
-    return 1.0
+    return share
 
 
 def follow_from_home(arm: LoopArm, state: Array, q: Array, work: LoopWork) -> float:
@@ -158,7 +163,7 @@ def follow_from_home(arm: LoopArm, state: Array, q: Array, work: LoopWork) -> fl
     for i in range(total):
         state[i] = arm.home[i]
     share = follow(arm, state, q, work)
-    if share == 1.0 or n == 1 or not abs(state[0]) < FAR:
+    if share == 1.0 or n == 1 or not abs(state[0]) < FAR or arm.interface[14] < FAR:
         return share
     for i in range(total):
         last[i] = state[i]
@@ -289,6 +294,28 @@ def loop_tangents(arm: LoopArm, work: LoopWork) -> int:
     n = arm.spread.shape[1] - 1 - p
     loop_slopes(arm, work.frames, work.ends, work.slopes)
     _columns_of_loops(arm, n, work)
+    _columns_of_axes(arm, n, work)
+    return least_squares(work.table, work.solved, n)
+
+
+def loop_tangents_and_shift(arm: LoopArm, work: LoopWork) -> int:
+    """Write dz/dq and, in the column behind, the step of z that closes the chains; return the rank.
+
+    As `loop_tangents`, at a state whose residuals stand in `work.left[0]`.
+    """
+    p = work.solved.shape[0]
+    n = arm.spread.shape[1] - 1 - p
+    loop_slopes(arm, work.frames, work.ends, work.slopes)
+    _columns_of_loops(arm, n, work)
+    _columns_of_axes(arm, n, work)
+    for r in range(work.table.shape[0]):
+        work.table[r, p + n] = -work.left[0, r]
+    return least_squares(work.table, work.solved, n + 1)
+
+
+def _columns_of_axes(arm: LoopArm, n: int, work: LoopWork) -> None:
+    """Write minus the slopes of the rows by the axes behind those by the loops."""
+    p = work.solved.shape[0]
     for r in range(work.table.shape[0]):
         for j in range(n):
             work.table[r, p + j] = 0.0
@@ -297,7 +324,6 @@ def loop_tangents(arm: LoopArm, work: LoopWork) -> int:
             if own != 0.0:
                 for j in range(n):
                     work.table[r, p + j] -= own * arm.spread[k, j]
-    return least_squares(work.table, work.solved, n)
 
 
 def loop_accelerations(arm: LoopArm, drift: Array, work: LoopWork) -> None:

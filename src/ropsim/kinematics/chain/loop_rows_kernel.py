@@ -30,7 +30,8 @@ class LoopArm(NamedTuple):
         rows: cut; 0.0 along an axis, then the number of the axis; or 1.0 about axes, then i, j and factor of
             one product a_i·b_j and the same of another, shape (r, 8).
         interface: step that carries the interface, -1.0 for the base; its frame there, R by rows and p; the
-            number of the p coordinates that the rows determine, shape (14,).
+            number of the p coordinates that the rows determine; the effort of following chains at
+            most, in steps, shape (15,).
         home: coordinates of axes and loops in the rest position, shape (n + p,).
     """
 

@@ -4,6 +4,8 @@ from math import inf
 
 import numpy as np
 
+from ropsim.kinematics.chain.closed_arrays import ClosedArrays
+from ropsim.kinematics.points.closed_points import closed_nearest
 from ropsim.kinematics.points.point_arm import Places, PointShape, point_shape
 from ropsim.kinematics.points.point_path import reached, searched
 from ropsim.kinematics.points.point_rows_kernel import approach_rows
@@ -16,6 +18,8 @@ ROUNDS = 200
 """Steps to the nearest of all answers at most, where an arm has joints to spare."""
 BEST, AGAIN = 4, 10
 """Where no start leads to a point, the search goes on so often from so many of the nearest places."""
+BEYOND = 1e9
+"""A distance of places that closed chains do not reach [m]."""
 SAME = 1e-6
 """Answers nearer to each other than this are one [rad | m]."""
 TURN = 2.0 * np.pi
@@ -60,21 +64,32 @@ def point_answers(robot: RobotModel, X_MT: Pose, point: Array, near: Array) -> P
         rows = own[np.newaxis] if away <= TASK_SLACK else own[np.newaxis][:0]
         return PointAnswers(of_whole(robot, near, rows), shape.places, away, 0.0)
     q, misses = searched(shape, np.tile(goal, (len(starts), 1)), starts)
-    if not reached(shape, misses).any():  # the least distance needs more steps than an answer
-        best = np.argsort(misses[:, 1], kind="stable")[:BEST]
-        q, misses = q[best], misses[best]
-        for _ in range(AGAIN):
-            q, misses = searched(shape, np.tile(goal, (len(q), 1)), q)
+    if not reached(shape, misses).any():
+        q, misses = _nearer(shape, goal, q, misses, own)
     nearest = int(np.argmin(misses[:, 1]))
     off = goal - tcp_of(shape, q[nearest])
     beside = float(np.linalg.norm(off - shape.space.T @ (shape.space @ off))) if shape.is_flat else 0.0
     found = q[reached(shape, misses)]
     miss = 0.0 if len(found) else float(misses[nearest, 1])
-    if shape.spare and len(found):
+    spare = shape.spare > 0 and not isinstance(shape.chain, ClosedArrays)
+    if spare and len(found):
         found = _approached(shape, goal, own, found)
     turning = shape.chain.turning
-    found = found - TURN * np.ceil((found - np.pi) / TURN) * turning if not shape.spare else found
+    found = found - TURN * np.ceil((found - np.pi) / TURN) * turning if not spare else found
     return PointAnswers(of_whole(robot, near, _each_once(found, turning)), shape.places, miss, beside)
+
+
+def _nearer(shape: PointShape, goal: Array, q: Array, misses: Array, own: Array) -> tuple[Array, Array]:
+    """Return places nearer to a point than those of a search: the least distance needs more steps."""
+    best = np.argsort(misses[:, 1], kind="stable")[:BEST]
+    if isinstance(shape.chain, ClosedArrays):
+        starts = [*q[best[misses[best, 1] < BEYOND]], own]
+        found = [closed_nearest(shape, shape.chain, goal, start) for start in starts]
+        return np.array([one for one, _ in found]), np.array([[away, away] for _, away in found])
+    q, misses = q[best], misses[best]
+    for _ in range(AGAIN):
+        q, misses = searched(shape, np.tile(goal, (len(q), 1)), q)
+    return q, misses
 
 
 def _approached(shape: PointShape, goal: Array, near: Array, found: Array) -> Array:

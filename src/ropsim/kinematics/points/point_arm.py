@@ -5,8 +5,12 @@ from functools import lru_cache
 
 import numpy as np
 
-from ropsim.kinematics.chain.arrays import ChainArrays, chain_arrays
+from ropsim.kinematics.chain.arm_arrays import ArmArrays, arm_arrays
+from ropsim.kinematics.chain.arrays import ChainArrays
+from ropsim.kinematics.chain.closed_motion import loop_gaps
+from ropsim.kinematics.chain.closure import APART
 from ropsim.kinematics.chain.jacobian import jacobian_at
+from ropsim.kinematics.chain.linear_loops import without_linear_loops
 from ropsim.kinematics.chain.path_derivatives_kernel import DerivativeWork
 from ropsim.kinematics.points.point_kernel import ROOM, PointArm
 from ropsim.kinematics.solutions.configurations import configurations
@@ -17,6 +21,8 @@ POSE = 6
 """Coordinates of a pose: an arm with as many axes can choose all of them."""
 STARTS = 64
 """Starts of a search, which fill the range of the joints evenly."""
+CLOSED_STARTS = 16
+"""The same for closed chains, of those at which they can be closed."""
 PROBES = 16
 """Configurations from which it is seen what an arm can choose."""
 FLAT = 1e-9
@@ -57,7 +63,7 @@ class PointShape:
         places: where the TCP can be.
     """
 
-    chain: ChainArrays
+    chain: ArmArrays
     tcp: Array
     space: Array
     rank: int
@@ -78,8 +84,10 @@ class PointShape:
         return self.chain.n - self.rank
 
     def for_kernels(self) -> tuple[PointArm, DerivativeWork, Array]:
-        """Return the arm for kernels, and room for them."""
-        chain, (m, n) = self.chain, (len(self.chain.slides), self.chain.n)
+        """Return the arm, an open chain, for kernels, and room for them."""
+        chain = self.chain
+        assert isinstance(chain, ChainArrays)
+        m, n = len(chain.slides), chain.n
         arm = PointArm(
             chain.flat,
             chain.spread,
@@ -104,10 +112,14 @@ class PointShape:
 def chooses_points_only(robot: RobotModel) -> bool:
     """Return whether an arm has too few axes for a pose: with a free orientation, the point alone counts.
 
+    Closed chains but parallelograms count if they have no more axes than a position needs.
+
     Args:
-        robot: with its external axes; closed chains have no answer here.
+        robot: with its external axes.
     """
-    return robot.has_arm and 0 < robot.n - len(robot.external) < POSE and not robot.cuts
+    if not (robot.has_arm and 0 < robot.n - len(robot.external) < POSE):
+        return False
+    return not robot.cuts or _is_simple(robot)
 
 
 def spare_joints(robot: RobotModel, X_MT: Pose) -> int:
@@ -126,9 +138,18 @@ def point_shape(robot: RobotModel, tcp: Array) -> PointShape:
 
 
 @lru_cache(maxsize=64)
+def _is_simple(robot: RobotModel) -> bool:
+    """Return whether an arm with closed chains has as many axes as it chooses coordinates of a position."""
+    shape = point_shape(robot, np.zeros(3))
+    return isinstance(shape.chain, ChainArrays) or shape.spare == 0
+
+
+@lru_cache(maxsize=64)
 def _shape(robot: RobotModel, tcp: tuple[float, float, float]) -> PointShape:
-    arm = held_arm(robot).arm if robot.external else robot
+    arm = without_linear_loops(held_arm(robot).arm if robot.external else robot)
     starts, scale = configurations(arm, STARTS), arm.max_speeds / arm.max_speeds.max()
+    if arm.cuts:
+        starts = np.vstack((arm.home, starts[loop_gaps(arm, starts) <= APART]))[:CLOSED_STARTS]
     limits = np.stack((arm.lower_limits, arm.upper_limits))
     ways = np.array([jacobian_at(arm, q, Pose(np.array(tcp)))[:3] for q in starts[:PROBES]])  # (s, 3, n)
     _, sizes, directions = np.linalg.svd(np.concatenate(ways, axis=1).T, full_matrices=False)
@@ -138,7 +159,7 @@ def _shape(robot: RobotModel, tcp: tuple[float, float, float]) -> PointShape:
     chosen = np.linalg.svd(ways, compute_uv=False)
     rank = int((chosen > CHOSEN * np.maximum(chosen[:, :1], 1e-300)).sum(axis=1).max()) if d else 0
     return PointShape(
-        chain_arrays(arm),
+        arm_arrays(arm),
         frozen(tcp),
         frozen(space.reshape(d, 3)),
         min(rank, d),

@@ -3,7 +3,9 @@
 import numpy as np
 import numpy.typing as npt
 
+from ropsim.kinematics.chain.closed_arrays import ClosedArrays
 from ropsim.kinematics.chain.forward import frames_batch
+from ropsim.kinematics.points.closed_points import closed_followed, closed_rows
 from ropsim.kinematics.points.point_arm import PointShape, point_shape
 from ropsim.kinematics.points.point_path_kernel import branch_sides, follow_points
 from ropsim.kinematics.points.point_rows_kernel import continue_rows, reach_rows
@@ -43,10 +45,16 @@ def followed_points(
         rates = np.ascontiguousarray(rates @ frames_batch(robot, q_start[np.newaxis])[0, carrier, :3, :3])
     q, out = np.empty((len(s), shape.chain.n)), np.empty((2, len(s), shape.chain.n))
     q[0], result = of_arm(robot, q_start), np.array(allowed(shape))
-    arm, work, room = shape.for_kernels()
-    follow_points(arm, s, goals, rates, q, out, work, room, result)
-    if result[0] < 0.0:
-        return None
+    if isinstance(shape.chain, ClosedArrays):
+        closed = closed_followed(shape, shape.chain, s, goals, rates, q[0], allowed(shape))
+        if closed is None:
+            return None
+        q, out = closed
+    else:
+        arm, work, room = shape.for_kernels()
+        follow_points(arm, s, goals, rates, q, out, work, room, result)
+        if result[0] < 0.0:
+            return None
     derivatives = np.zeros((2, len(s), len(q_start)))
     derivatives[..., list(held_arm(robot).axes) if robot.external else slice(None)] = out
     return of_whole(robot, q_start, q), derivatives
@@ -68,7 +76,12 @@ def points_continued(robot: RobotModel, X_MT: Pose, points: Array, q_start: Arra
     shape, goals = point_shape(robot, X_MT.position), points_in_arm(robot, points, held)
     q, misses = np.empty((len(points), shape.chain.n)), np.empty((len(points), 2))
     q[0], sides = of_arm(robot, q_start), np.empty(len(points) + 1)
-    if shape.rank:
+    if shape.rank and isinstance(shape.chain, ClosedArrays):
+        rows = np.vstack((q[:1], q))
+        goals = np.vstack((tcp_of(shape, q[0]), goals))
+        rows, found = closed_rows(shape, shape.chain, goals, rows, continued=True)
+        q, misses, sides = rows[1:], found[1:, :2], found[:, 2]
+    elif shape.rank:
         arm, work, room = shape.for_kernels()
         continue_rows(arm, goals, q, work, room, misses)
         rows = np.vstack((of_arm(robot, q_start), q))
@@ -101,6 +114,9 @@ def points_near(robot: RobotModel, X_MT: Pose, points: Array, Q: Array) -> Array
 
 def searched(shape: PointShape, goals: Array, starts: Array) -> tuple[Array, Array]:
     """Return where the search from starts (k, n) for goals (k, 3) ends, and what is left [m], (k, 2)."""
+    if shape.rank and isinstance(shape.chain, ClosedArrays):
+        q, found = closed_rows(shape, shape.chain, goals, starts, continued=False)
+        return q, np.ascontiguousarray(found[:, :2])
     q, misses = np.array(starts), np.empty((len(starts), 2))
     if shape.rank:
         arm, work, room = shape.for_kernels()

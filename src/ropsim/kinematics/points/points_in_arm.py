@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.kinematics.chain.forward import frames_of
+from ropsim.kinematics.chain.arm_arrays import interface_poses
 from ropsim.kinematics.points.point_arm import PointShape
 from ropsim.kinematics.solutions.held import in_arm_base, of_robot
 from ropsim.model import RobotModel, held_arm
@@ -37,5 +37,5 @@ def points_in_arm(robot: RobotModel, points: Array, held: Array) -> Array:
 
 def tcp_of(shape: PointShape, q: Array) -> Array:
     """Return where the TCP is in the base frame of the arm at its coordinates (n,) [m], shape (3,)."""
-    X_BM = frames_of(shape.chain, q[np.newaxis])[0, -1]
+    X_BM = interface_poses(shape.chain, q[np.newaxis])[0]
     return np.asarray(X_BM[:3, :3] @ shape.tcp + X_BM[:3, 3])

@@ -57,9 +57,9 @@ def closed_polish_rows(
                     Q[k, j, i] = Q[k - 1, j, i]
             if Q[k, j, 0] != Q[k, j, 0]:
                 continue
-            if not continued:
-                follow_from_home(arm, state, Q[k, j], work)
             if steps > 0:
+                if not continued:
+                    follow_from_home(arm, state, Q[k, j], work)
                 descend_closed(arm, T[k], state, states[0], bounds, steps, room, work)
                 for i in range(n):
                     Q[k, j, i] = state[i]

@@ -8,8 +8,17 @@ import numpy.typing as npt
 from ropsim.kinematics.chain.arm_arrays import ArmArrays, arm_arrays, interface_poses
 from ropsim.kinematics.chain.arrays import ChainArrays
 from ropsim.kinematics.chain.closed_arrays import ClosedArrays
+from ropsim.kinematics.chain.closure import closed_states
 from ropsim.kinematics.solutions.configurations import configurations, spread_between
-from ropsim.kinematics.solutions.polish import POSE_SLACK, TASK_SLACK, nearest_to, polished, polished_within
+from ropsim.kinematics.solutions.polish import (
+    POSE_SLACK,
+    TASK_SLACK,
+    closed_at_once,
+    nearest_to,
+    polished,
+    polished_within,
+    unbounded,
+)
 from ropsim.kinematics.solutions.result import IkStatus, Miss, Posture, Shortfall
 from ropsim.kinematics.solutions.self_motion import narrow_limits, within
 from ropsim.kinematics.solutions.solver import Method, Snap
@@ -40,11 +49,14 @@ class NumericSolver:
         chain: the arm.
         starts: joint coordinates [rad | m], shape (s, n).
         limits: lower and upper limits of the joints [rad | m], shape (2, n).
+        closed: coordinates of axes and loops from which those of closed chains are searched, shape
+            (s, n + p); none of open ones.
     """
 
     chain: ArmArrays
     starts: Array
     limits: Array
+    closed: Array
 
     name: ClassVar[str] = "numeric"
     method: ClassVar[Method] = Method.NUMERIC
@@ -65,7 +77,7 @@ class NumericSolver:
         from the answers beyond, and of redundant arms from `FURTHER` starts.
         """
         starts = np.concatenate((near[np.newaxis], self.starts))
-        found = polished(self.chain, T, np.tile(starts, (len(T), 1, 1)), self.slack)
+        found = self._answers(T, starts)
         limits = np.vstack((self.limits, self.chain.turning))
         out = np.empty((len(T), ROWS, self.chain.n))
         for k, rows in enumerate(found):
@@ -112,6 +124,19 @@ class NumericSolver:
         farthest = np.abs(self.limits + chain.offset).max(axis=0)
         return float(farthest[chain.slides > 0.0].sum())
 
+    def _answers(self, T: Array, starts: Array) -> Array:
+        """Return answers to poses (k, 4, 4) from starts (s, n), NaN where none is found, shape (k, m, n)."""
+        if not isinstance(self.chain, ClosedArrays):
+            return polished(self.chain, T, np.tile(starts, (len(T), 1, 1)), self.slack)
+        states = np.vstack((closed_states(self.chain, starts[:1])[0], self.closed))
+        found = closed_at_once(self.chain, T, states, unbounded(self.chain.n), self.slack)
+        out = np.full((len(T), max(len(starts), found.shape[1]), self.chain.n), np.nan)
+        out[:, : found.shape[1]] = found
+        for k in np.flatnonzero(np.isnan(found[:, :, 0]).all(axis=1)):
+            followed = polished(self.chain, T[k : k + 1], starts[np.newaxis], self.slack)[0]
+            out[k, : len(followed)] = followed
+        return out
+
     def _within(self, X_BM: Array, starts: Array) -> Array:
         """Return answers to a pose (1, 4, 4) within the limits, shape (m, n); none where none was found."""
         found = self._kept(X_BM, starts)
@@ -154,13 +179,16 @@ def distinct(answers: Array, near: Array, turning: Array, most: int = ROWS, same
 
 def numeric(robot: RobotModel) -> NumericSolver:
     """Return the numeric solver of an arm, of any kind."""
-    arrays = arm_arrays(robot)
+    arrays, closed = arm_arrays(robot), np.empty((0, 0))
     if isinstance(arrays, ClosedArrays):
         starts = np.vstack((robot.home, configurations(robot, CLOSED_STARTS)))
+        more = np.vstack((robot.home, configurations(robot, STARTS)))
+        states, results = closed_states(arrays, more)
+        closed = states[results[:, 0] == 1.0]
     else:
         starts = np.vstack((configurations(robot, STARTS), np.zeros(robot.n)))
     limits = np.stack((robot.lower_limits, robot.upper_limits))
-    return NumericSolver(arrays, frozen(starts), frozen(limits))
+    return NumericSolver(arrays, frozen(starts), frozen(limits), frozen(closed))
 
 
 def may_reach(chain: ChainArrays, T: Array, strokes: float = 0.0) -> npt.NDArray[np.bool_]:

@@ -19,7 +19,7 @@ from ropsim.controller import (
 )
 from ropsim.dynamics import arm_numbers, barycentric, passive_ratios, structure_of
 from ropsim.model import ControllerModel, Friction, Payload, RobotModel
-from ropsim.simulation.servo.held_state import SMALL, held_state, without_dead_zones
+from ropsim.simulation.servo.held_state import SMALL, held_state, remember_chains, without_dead_zones
 from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
 from ropsim.simulation.servo.sensing import sensing_of
@@ -277,6 +277,8 @@ def _law(seen: _Seen, x: Array, payload: Payload) -> tuple[Array, Array]:
     memory = np.zeros((layout.law_rows, n))
     if rests and law.traits.hold_row is not None:
         memory[law.traits.hold_row] = seen.rest[1] * np.array([drive.sense for drive in robot.drives])
+    if robot.cuts:
+        remember_chains(law.traits, memory, seen.rest[0][list(layout.loops.passive)])
     kept, found = memory.ravel(), seen.given(x, s)
     for _ in range(_LONGEST_REST if rests else 0):
         before, kept = kept, answer(found, kept, x[:n])[n:]

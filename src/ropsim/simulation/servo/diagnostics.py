@@ -75,6 +75,33 @@ beyond the reach of the chain, or for drives that are much too strong.
     Category.UNFINISHED,
 )
 
+PASSED_DEAD_CENTRE = define(
+    "S709",
+    "closed-chain-passed-dead-centre",
+    Severity.ERROR,
+    "a closed chain of the simulated arm has gone through a dead centre into another assembly",
+    """
+The run ends there, as with a state that is not finite (S701). The message names the chain, the axis that it
+held, and the joint that went over.
+
+In a dead centre a closed chain locks: an axis cannot move on, and a joint without a motor moves while the
+axes stand. What moves there by its own speed goes on to the other side, where the chain is put together
+another way: crank and coupler are bent to the other hand.
+From then on the same coordinates of the axes mean another place of the tool, so positions, collisions and
+limits that follow would be wrong. A real arm leaves its references there.
+
+A planned move does not come to a dead centre (M556, M557). The arm does if it overshoots next to one, sags
+under its load, or is driven by the wrong joint: a slider does not turn a crank through its dead centre.
+
+A chain that passes such a pose and stays as it was put together is no finding. Parallelograms are simulated
+as couplings, and stay parallelograms when they are stretched and open again.
+
+Keep references off the dead centre by more than the arm overshoots, make another joint of the chain the
+axis, or limit the joint that went over.
+""",
+    Category.UNFINISHED,
+)
+
 STEEP_FRICTION = define(
     "S705",
     "friction-too-steep",

@@ -1,18 +1,24 @@
-"""Report of a state that has become NaN or grows beyond all bounds: the time, and the first faulty part."""
+"""Report of a state that is not finite, grows beyond all bounds or left its assembly: when, and what part."""
 
 from collections.abc import Callable
+from functools import lru_cache
 
 import numpy as np
 
-from ropsim.dynamics import GAP
-from ropsim.model import Rates, RobotModel
-from ropsim.simulation.servo.diagnostics import CAME_APART, DIVERGED, DivergedError
+from ropsim.dynamics import GAP, structure_of
+from ropsim.kinematics import configurations, dead_centre, is_as_at_home, usual_volume
+from ropsim.model import BASE_LINK, JointType, Rates, RobotModel
+from ropsim.simulation.servo.diagnostics import CAME_APART, DIVERGED, PASSED_DEAD_CENTRE, DivergedError
 from ropsim.simulation.servo.state import ServoState, StateLayout
 from ropsim.simulation.servo.stiffness import STEEP_HINT, steep_axes, steep_words
 from ropsim.spatial import Array
 
 LARGEST = 1e12
 """Largest magnitude of a coordinate, speed or state of a drive in SI units; pressures of oil are 1e8."""
+
+_SAMPLES = 8
+ALIKE = 1e-4
+"""Nearer to a dead centre than this the assemblies on both sides may be alike; see `DeadCentre.distance`."""
 
 
 def is_sound(values: Array, layout: StateLayout) -> bool:
@@ -23,27 +29,67 @@ def is_sound(values: Array, layout: StateLayout) -> bool:
     return bool((np.abs(integrated) < LARGEST).all() and np.isfinite(values).all())
 
 
-def first_fault(values: Array, layout: StateLayout, ticks: int, advance: Callable[[int], None]) -> int:
+@lru_cache(maxsize=64)
+def volume_at_rest(robot: RobotModel) -> float:
+    """Return the greatest volume of the watched rows of closed chains at home and in some configurations."""
+    rows = structure_of(robot).watched
+    Q = np.vstack((robot.home, configurations(robot, _SAMPLES)))
+    return usual_volume(robot, rows, Q) if rows else 0.0
+
+
+def has_passed(values: Array, layout: StateLayout) -> bool:
+    """Return whether closed chains have changed their side of a dead centre, or are next to one."""
+    return bool(layout.passive) and bool(values[layout.loops.passed])
+
+
+def is_assembled(robot: RobotModel, values: Array, layout: StateLayout) -> bool:
+    """Return whether the closed chains of a state are still put together as at home.
+
+    Where that is sure the mark that they are next to a dead centre or beyond it is taken back; in one the
+    assemblies are alike, and it stays.
+
+    Args:
+        robot: the arm.
+        values: the state vector, shape (m,).
+        layout: of the vector.
+    """
+    if not has_passed(values, layout):
+        return True
+    state = values[layout.loops.places]
+    if not is_as_at_home(robot, state):
+        return False
+    if dead_centre(robot, state).distance > ALIKE:
+        values[layout.loops.passed] = 0.0
+    return True
+
+
+def first_fault(
+    robot: RobotModel, values: Array, layout: StateLayout, ticks: int, advance: Callable[[int], None]
+) -> int | None:
     """Return the number of ticks after which a state vector is not sound any more; it keeps its state there.
 
     A slice is one call, and a NaN shows at its end only; so it is repeated tick by tick. A value may become
-    finite again (a counter that is reset), so every tick is checked.
+    finite again (a counter that is reset), so every tick is checked; and so may an assembly.
 
     Args:
+        robot: the arm.
         values: the state vector, shape (m,), before the first tick; it is advanced.
         layout: of the vector.
         ticks: of the slice.
         advance: advances the vector by the tick of a number, from 0; an `ArithmeticError` or a `ValueError`
             is also a fault.
+
+    Returns:
+        None if all ticks are without fault.
     """
     for k in range(ticks):
         try:
             advance(k)
         except (ArithmeticError, ValueError):  # plain Python raises where compiled code yields NaN
             return k + 1
-        if not is_sound(values, layout):
+        if not (is_sound(values, layout) and is_assembled(robot, values, layout)):
             return k + 1
-    return ticks
+    return None
 
 
 def diverged(robot: RobotModel, state: ServoState, rates: Rates) -> DivergedError:
@@ -55,8 +101,9 @@ def diverged(robot: RobotModel, state: ServoState, rates: Rates) -> DivergedErro
         rates: of its controller.
     """
     time = state.tick / rates.control_hz
-    if _is_apart(state):
-        return _apart(robot, state, time)
+    if _is_finite(state):
+        apart = float(state.values[state.layout.loops.gap]) > GAP
+        return _apart(robot, state, time) if apart else _passed(robot, state, time)
     what = _first(robot, state.layout, state.values)
     when = f"{time:.6g} s (control tick {state.tick})"
     message = f"{what} at {when}; all numbers must be finite, and in SI units below {LARGEST:g}"
@@ -69,8 +116,8 @@ def diverged(robot: RobotModel, state: ServoState, rates: Rates) -> DivergedErro
     )
 
 
-def _is_apart(state: ServoState) -> bool:
-    """Return whether all numbers are finite, and only the closed chains are not closed."""
+def _is_finite(state: ServoState) -> bool:
+    """Return whether all numbers are as they should be, and only closed chains are not."""
     layout, values = state.layout, state.values
     integrated = values[: layout.integrated]
     return bool(layout.passive and np.isfinite(values).all() and (np.abs(integrated) < LARGEST).all())
@@ -86,6 +133,33 @@ def _apart(robot: RobotModel, state: ServoState, time: float) -> DivergedError:
     hint = "look for a chain at the end of its reach, or raise `plant_steps`"
     data = {"time_s": time, "tick": state.tick, "gap": gap}
     return DivergedError(CAME_APART.at(None, message, hint=hint, data=data))
+
+
+def _passed(robot: RobotModel, state: ServoState, time: float) -> DivergedError:
+    """Return the error of a state whose closed chains have gone through a dead centre."""
+    found = dead_centre(robot, state.values[state.layout.loops.places])
+    axis, joint, cut = robot.axis_joints[found.axis], robot.joints[found.joint], robot.cuts[found.chain]
+    turns = axis.type is JointType.REVOLUTE
+    place = float(state.q[found.axis])
+    where = f"{np.degrees(place):.2f}°" if turns else f"{1e3 * place:.2f} mm"
+    ends = " and ".join(
+        "the base" if k == BASE_LINK else f"`{robot.joints[k].name}`" for k in (cut.first, cut.second)
+    )
+    message = (
+        f"closed chain {found.chain + 1} of `{robot.name}`, cut between {ends}, has gone through a dead "
+        f"centre into another assembly at {time:.6g} s (control tick {state.tick}): axis `{axis.name}` "
+        f"is at {where}, joint `{joint.name}` went over"
+    )
+    hint = f"keep axis `{axis.name}` off {where}, or limit joint `{joint.name}`"
+    data = {
+        "time_s": time,
+        "tick": state.tick,
+        "chain": found.chain + 1,
+        "axis": axis.name,
+        "joint": joint.name,
+        "q": place,
+    }
+    return DivergedError(PASSED_DEAD_CENTRE.at(None, message, hint=hint, data=data))
 
 
 def _first(robot: RobotModel, layout: StateLayout, values: Array) -> str:

@@ -43,6 +43,13 @@ def held_state(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Ar
     return x, u
 
 
+def remember_chains(traits: LawTraits, memory: Array, passive: Array) -> None:
+    """Enter coordinates of closed chains (p,) [rad | m] into the states of a law (s, n) that follows them."""
+    if traits.chain_row is not None:
+        first = traits.chain_row * memory.shape[1]
+        memory.reshape(-1)[first : first + len(passive)] = passive
+
+
 def without_dead_zones(robot: RobotModel) -> RobotModel:
     """Return an arm whose gears are on their flanks and whose valves are beyond their overlap.
 

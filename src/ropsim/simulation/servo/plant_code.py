@@ -73,16 +73,18 @@ class ClosedPlantCode:
         traced: the functions that are straight-line code.
         state: where coordinates and speeds stand in the state.
         rows: number of directions that cuts hold.
+        watched: of these, whose determinant tells the side of a dead centre.
     """
 
     traced: GivenCode
     state: LoopState
     rows: int
+    watched: tuple[int, ...]
 
     @property
     def functions(self) -> tuple[SourceFunction, ...]:
         """Return the functions of the plant, and `settle`; all have `constants` before the last argument."""
-        return (*self.traced.functions, *motion_code(self.state, self.rows))
+        return (*self.traced.functions, *motion_code(self.state, self.rows, self.watched))
 
     def constants(self, numbers: Array) -> Array:
         """Return the constants of the functions for the numbers of an arm of this structure."""
@@ -194,7 +196,7 @@ def _closed(
         (drives.net, [side.inertia for side in sides]),
         [rates[f"[{place}]"] for place in state.rates],
     )
-    return ClosedPlantCode(GivenCode.of(*others, *plant), state, structure.rows)
+    return ClosedPlantCode(GivenCode.of(*others, *plant), state, structure.rows, structure.watched)
 
 
 def observe(robot: RobotModel, x: Array, u: Array, row: Array) -> None:

@@ -28,6 +28,7 @@ from ropsim.dynamics import (
     structure_of,
 )
 from ropsim.flow import JointReference
+from ropsim.kinematics import without_linear_loops
 from ropsim.model import ControllerKind, ControllerModel, Payload, Rates, RobotModel
 from ropsim.simulation.servo.checks import (
     check_aux,
@@ -40,8 +41,8 @@ from ropsim.simulation.servo.checks import (
     check_vector,
 )
 from ropsim.simulation.servo.diagnostics import DivergedError
-from ropsim.simulation.servo.divergence import diverged, first_fault, is_sound
-from ropsim.simulation.servo.held_state import held_drives
+from ropsim.simulation.servo.divergence import diverged, first_fault, has_passed, is_sound, volume_at_rest
+from ropsim.simulation.servo.held_state import held_drives, remember_chains
 from ropsim.simulation.servo.judged import full_values
 from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
@@ -66,7 +67,7 @@ class Servo:
     calls yield the same bits, independent of the slices of a reference.
 
     Attributes:
-        robot: the arm.
+        robot: the arm, with couplings for parallelograms, which stay parallelograms.
         law: the compiled law; for a law in Python the one that holds its output.
         python_law: the law in Python, if there is one.
         layout: of the state vector.
@@ -117,6 +118,7 @@ class Servo:
         """
         check_drives(robot)
         check_model(robot)
+        robot = without_linear_loops(robot)
         check_rates(controller.rates)
         chosen = law or joint_law(controller, robot)
         python_law = None if isinstance(chosen, CompiledLaw) else chosen
@@ -162,6 +164,8 @@ class Servo:
         layout.in_force(values)[0] = start
         if self.robot.cuts:
             values[list(layout.loops.passive)] = closed_coordinates(self.robot, start)
+            values[layout.loops.side] = volume_at_rest(self.robot)
+            remember_chains(self.law.traits, layout.memory(values), values[list(layout.loops.passive)])
         memory, pending = layout.memory(values), layout.waiting(values)
         for k, held in enumerate(held_drives(self.robot, start, payload)):
             values[list(layout.drive(k))] = held.states
@@ -229,12 +233,15 @@ class Servo:
         try:
             call(*reference, signals, log, state.tick, recorder.decimation, log_row, recorder.tally.table)
         except (ArithmeticError, ValueError) as error:  # plain Python raises where compiled code yields NaN
-            raise self._diverged(state, reference, signals, call, recorder) from error
+            raise self._fault(state, reference, signals, call, recorder) or error from error
         except (IndexError, StoppedError) as error:
             arrays = self._arguments_at_stop(state, reference, signals, call, payload)
             raise stopped(self.law, error, arrays) from error
-        if not is_sound(self.bench.values, self.layout):
-            raise self._diverged(state, reference, signals, call, recorder)
+        values = self.bench.values
+        if not is_sound(values, self.layout) or has_passed(values, self.layout):
+            fault = self._fault(state, reference, signals, call, recorder)
+            if fault:
+                raise fault
 
     def _arguments_at_stop(
         self, state: ServoState, reference: "_Rows", signals: Array, call: Compiled, payload: Payload
@@ -256,10 +263,10 @@ class Servo:
         load_ = np.array(barycentric(payload.mass, payload.com, payload.inertia))
         return {**made, "state": memory, "load": load_, "aux": signals[k].copy()}
 
-    def _diverged(
+    def _fault(
         self, state: ServoState, reference: "_Rows", signals: Array, call: Compiled, recorder: Log
-    ) -> DivergedError:
-        """Return the error of a slice at whose end the state was not sound: at the tick where that began."""
+    ) -> DivergedError | None:
+        """Return the error of a slice, at the tick where that began; None where there is none at any tick."""
         values, no_log, no_tally = self.bench.values, np.empty((1, 1)), np.zeros_like(recorder.tally.table)
         values[:] = state.values
 
@@ -267,7 +274,9 @@ class Servo:
             rows = (array[k : k + 1] for array in reference)
             call(*rows, signals[k : k + 1], no_log, state.tick + k, state.tick + k + 2, 0, no_tally)  # no row
 
-        ticks = first_fault(values, self.layout, len(signals), advance)
+        ticks = first_fault(self.robot, values, self.layout, len(signals), advance)
+        if ticks is None:
+            return None
         after = ServoState(state.tick + ticks, values.copy(), self.layout)
         return diverged(self.robot, after, Rates(self.control_hz, plant_steps=self.plant_steps))
 

@@ -2,7 +2,7 @@
 
 from ropsim.controller import LawTraits
 from ropsim.core import frozen_dataclass
-from ropsim.dynamics import ArmStructure, LoopState
+from ropsim.dynamics import LOOP_NUMBERS, ArmStructure, LoopState
 from ropsim.simulation.records.fields import Field, fields
 from ropsim.spatial import Array, record
 
@@ -15,10 +15,10 @@ class StateLayout:
     """Where things stand in the state vector.
 
     In order: q, qd, states of the drives, and of closed chains the coordinates that they determine, their
-    speeds and what is left between their frames; outputs of the amplifiers, efforts at the axes from outside
-    where something can exert them, the reference in force, outputs of the law that do not act yet, states of
-    the law, those of the sensors. All before the outputs of the amplifiers is integrated; the others change
-    at control ticks.
+    speeds, what is left between their frames, and what tells dead centres; outputs of the amplifiers, efforts
+    at the axes from outside where something can exert them, the reference in force, outputs of the law that
+    do not act yet, states of the law, those of the sensors. All before the outputs of the amplifiers is
+    integrated; the others change at control ticks.
 
     Attributes:
         n: number of joints.
@@ -50,7 +50,7 @@ class StateLayout:
         names = tuple(tuple(state.name for state in chain.states) for chain in chains)
         drives = fields(names, 2 * n)
         integrated = drives[-1].place.stop if drives else 2 * n
-        integrated += 2 * p + 1 if p else 0
+        integrated += 2 * p + LOOP_NUMBERS if p else 0
         law_rows = len(traits.state_names)
         return cls(n, drives, integrated, traits.delay, law_rows, sensor_rows, p, outside_rows)
 
@@ -73,12 +73,12 @@ class StateLayout:
     @property
     def driven(self) -> int:
         """Return how many numbers belong to axes and drives: those of closed chains follow behind them."""
-        return self.integrated - (2 * self.passive + 1 if self.passive else 0)
+        return self.integrated - (2 * self.passive + LOOP_NUMBERS if self.passive else 0)
 
     @property
     def loops(self) -> LoopState:
         """Return the places of all coordinates and speeds, in an arm with closed chains."""
-        p, first, gap = self.passive, self.driven, self.integrated - 1
+        p, first, gap = self.passive, self.driven, self.integrated - LOOP_NUMBERS
         drives = range(2 * self.n, first)
         return LoopState(self.n, range(first, first + p), range(first + p, gap), drives, gap)
 

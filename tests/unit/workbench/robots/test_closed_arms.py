@@ -10,7 +10,7 @@ import pytest
 import ropsim
 from ropsim.exchange import write_nirox
 from ropsim.flow import Fidelity, Recording
-from ropsim.kinematics import forward_batch
+from ropsim.kinematics import forward, forward_batch
 from ropsim.model import RobotModel
 from ropsim.robotfile import write_robot_file
 from ropsim.simulation import RunOptions
@@ -100,3 +100,54 @@ def test_a_move_whose_chain_locks_on_the_way_is_refused(tmp_path: Path) -> None:
     found = [one for one in recording.findings if one.is_error]
     assert found
     assert {one.code for one in found} <= {"M502", "M556"}
+
+
+def corners(robot: RobotModel) -> list[str]:
+    """Return points 40 mm beside the TCP at home in task text, and one far away."""
+    x, y, z = (1e3 * (forward(robot, robot.home) @ POINTER).position).tolist()
+    up = 20.0 if robot.n == 3 else 0.0
+    places = ((40.0, 10.0, up), (-40.0, 10.0, up), (-40.0, -20.0, 0.0), (0.0, 900.0, 0.0), (0.0, 10.0, 15.0))
+    return [f"({x + dx:.3f}, {y + dy:.3f}, {z + dz:.3f})" for dx, dy, dz in places]
+
+
+@pytest.mark.parametrize("make", [five_bar, delta])
+def test_points_and_lines_with_free_orientation(make: Callable[[], RobotModel], tmp_path: Path) -> None:
+    robot = make()
+    first, second, third, _, _ = corners(robot)
+    folder = project_of(robot, tmp_path)
+    recording = program(
+        folder, "mov home", f"mov {first} free", f"lin {second} free", f"lin {third} free", "mov home"
+    )
+    assert recording.ok, recording.findings
+    path = 1e3 * recording.rows("attained_position")
+    for place in (first, second, third):
+        point = np.array([float(one) for one in place[1:-1].split(",")])
+        assert np.linalg.norm(path - point, axis=1).min() < 0.01
+    lines = [event for event in recording.events if getattr(event, "motion", None) == "LIN"]
+    assert len(lines) == 2
+    begin, end = (np.array([float(one) for one in text[1:-1].split(",")]) for text in (first, second))
+    near = np.flatnonzero(np.linalg.norm(path - begin, axis=1) < 0.01)[-1]
+    last = np.flatnonzero(np.linalg.norm(path - end, axis=1) < 0.01)[0]
+    beside = np.cross(path[near:last] - begin, (end - begin) / np.linalg.norm(end - begin))
+    assert np.abs(beside).max() < 1e-3
+
+
+@pytest.mark.parametrize(("make", "away"), [(five_bar, 677.25), (delta, 364.52)])
+def test_a_point_out_of_reach_is_refused_with_its_distance(
+    make: Callable[[], RobotModel], away: float, tmp_path: Path
+) -> None:
+    """The nearest place of the delta is that of its spheres and circles, by SLSQP; ours is a bit farther."""
+    robot = make()
+    far = corners(robot)[3]
+    found = [one for one in program(project_of(robot, tmp_path), f"mov {far} free").findings if one.is_error]
+    assert [one.code for one in found] == ["M501"]
+    assert found[0].data["distance_m"] == pytest.approx(1e-3 * away, abs=0.01)
+
+
+def test_a_point_beside_the_plane_of_a_five_bar_is_refused(tmp_path: Path) -> None:
+    robot = five_bar()
+    beside = corners(robot)[4]
+    recording = program(project_of(robot, tmp_path), f"lin {beside} free")
+    found = [one for one in recording.findings if one.is_error]
+    assert [one.code for one in found] == ["M530"]
+    assert "15.00 mm beside the plane" in found[0].message
