@@ -4,7 +4,7 @@ from typing import Protocol
 
 import numpy as np
 
-from ropsim.flow import JointReference
+from ropsim.flow import IntegrationFacts, JointReference
 from ropsim.model import Payload
 from ropsim.simulation.records.tally import Tally
 from ropsim.spatial import Array
@@ -31,6 +31,11 @@ class Plant(Protocol):
     @property
     def plant_steps(self) -> int:
         """Return the integration steps of drives and arm per control tick; 1 where nothing is integrated."""
+        ...
+
+    @property
+    def integration(self) -> IntegrationFacts | None:
+        """Return how drives and arm are integrated; None where nothing is."""
         ...
 
     @property

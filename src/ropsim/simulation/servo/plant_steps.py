@@ -17,6 +17,7 @@ from ropsim.dynamics import (
     spring_numbers,
     structure_of,
 )
+from ropsim.flow import StepCause
 from ropsim.kinematics import configurations, loop_gaps
 from ropsim.model import Payload, Rates, RobotModel
 from ropsim.simulation.servo.held_state import SMALL, held_state, without_dead_zones
@@ -52,14 +53,26 @@ def plant_steps_of(robot: RobotModel, rates: Rates) -> int:
         robot: with drives, or without, which has no equations to integrate.
         rates: of its controller.
     """
-    if rates.plant_steps is not None:
-        return rates.plant_steps
+    return rates.plant_steps if rates.plant_steps is not None else _needed_steps(robot, rates)[0]
+
+
+def step_cause(robot: RobotModel, rates: Rates) -> StepCause:
+    """Return what sets the integration steps; arguments as of `plant_steps_of`."""
+    return StepCause.STATED if rates.plant_steps is not None else _needed_steps(robot, rates)[1]
+
+
+def _needed_steps(robot: RobotModel, rates: Rates) -> tuple[int, StepCause]:
     fewest = ceil(rates.control_period / LONGEST - 1e-9)
     if not robot.drives:
-        return fewest
-    of_friction = float(friction_rates(robot).rates.max())
-    needed = rates.control_period * max(fastest_pole(robot) / LARGEST_PRODUCT, of_friction / STEEPEST_PRODUCT)
-    return fewest if not needed > fewest else min(ceil(needed), max(MOST, fewest))
+        return fewest, StepCause.LONGEST
+    of_poles = fastest_pole(robot) / LARGEST_PRODUCT
+    of_friction = float(friction_rates(robot).rates.max()) / STEEPEST_PRODUCT
+    needed = rates.control_period * max(of_poles, of_friction)
+    if not needed > fewest:
+        return fewest, StepCause.LONGEST
+    if needed > (most := max(MOST, fewest)):
+        return most, StepCause.MOST
+    return ceil(needed), StepCause.POLE if of_poles >= of_friction else StepCause.FRICTION
 
 
 @record

@@ -138,6 +138,12 @@ class Servo:
         """Return the control period [s]."""
         return 1.0 / self.control_hz
 
+    def with_shorter_steps(self, parts: int) -> "Servo":
+        """Return the servo with so many times as many integration steps, and work arrays of its own."""
+        rates = Rates(self.control_hz, plant_steps=parts * self.plant_steps)
+        bench = _Bench.of(self.kernel, self.law, self.sensors.numbers, self.layout, rates, self.robot)
+        return replace(self, plant_steps=parts * self.plant_steps, bench=bench)
+
     def initial_state(self, q: npt.ArrayLike, payload: Payload = NO_PAYLOAD) -> ServoState:
         """Return the state at tick 0: at rest on its reference, held against gravity by the drives.
 

@@ -56,6 +56,10 @@ class KinematicPlant:
         return 1
 
     @property
+    def integration(self) -> None:
+        """Return None: nothing is integrated."""
+
+    @property
     def tick(self) -> int:
         """Return the control tick that it has come to."""
         return self._tick
