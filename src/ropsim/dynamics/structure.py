@@ -10,7 +10,7 @@ import numpy as np
 
 from ropsim.codegen import Scalar, Tracer, given
 from ropsim.core import frozen_dataclass
-from ropsim.dynamics.drives import DriveChain, chain_of
+from ropsim.dynamics.drives import SUPPLY_SIZE, DriveChain, chain_of, supply_groups, supply_numbers
 from ropsim.dynamics.fastened import (
     CutPlaces,
     Placement,
@@ -54,6 +54,7 @@ class ArmStructure:
         cuts: of closed chains.
         springs: between bodies.
         sprung: (T, P, c) of the coordinate of each spring on one.
+        supplies: drives at each supply of oil with an accumulator, from 0.
     """
 
     types: tuple[JointType, ...]
@@ -69,6 +70,7 @@ class ArmStructure:
     cuts: tuple[CutPlaces, ...] = ()
     springs: tuple[SpringPlaces, ...] = ()
     sprung: tuple[tuple[float, ...], ...] = ()
+    supplies: tuple[tuple[int, ...], ...] = ()
 
     @property
     def n(self) -> int:
@@ -112,12 +114,14 @@ class TracedNumbers:
         drives: numbers of each drive.
         springs: stiffness, free length and damping of each spring between bodies, then stiffness, rest and
             damping of each one on a coordinate.
+        supplies: numbers of each supply of oil with an accumulator.
     """
 
     base_acceleration: list[Scalar]
     bodies: list[list[Scalar]]
     drives: list[list[Scalar]]
     springs: list[list[Scalar]]
+    supplies: list[list[Scalar]]
 
 
 @lru_cache(maxsize=256)
@@ -130,6 +134,8 @@ def structure_of(robot: Mechanism) -> ArmStructure:
     for step, body in enumerate(step_bodies(robot)):
         fixed.append(np.full(BODY, fill_value=True) if step == tip else body != 0.0)
     always = (True,) * sum(chain.size for chain in drives)
+    supplies, of_springs = supply_groups(robot.drives), spring_numbers(robot) != 0.0
+    given_oil = (True,) * (len(supplies) * SUPPLY_SIZE)
     spread = np.column_stack((tree.T, tree.P, tree.c))
     return ArmStructure(
         types=tree.types,
@@ -140,11 +146,12 @@ def structure_of(robot: Mechanism) -> ArmStructure:
         tip=tip,
         interface=placement_of(X_SM),
         drives=drives,
-        present=(*np.concatenate(fixed).tolist(), *always, *(spring_numbers(robot) != 0.0).tolist()),
+        present=(*np.concatenate(fixed).tolist(), *always, *of_springs.tolist(), *given_oil),
         passive=tree.P.shape[1],
         cuts=cut_places(robot),
         springs=spring_places(robot),
         sprung=sprung_rows(robot),
+        supplies=supplies,
     )
 
 
@@ -158,14 +165,16 @@ def arm_numbers(robot: Mechanism, payload: Payload | None = None) -> Array:
 
     Returns:
         Minus free fall [m/s²], 3; barycentric parameters of the body on each step, 10 each, that at the
-        interface with the payload; the numbers of each drive, block by block; three for each spring.
+        interface with the payload; the numbers of each drive, block by block; three for each spring; those
+        of the supplies of oil.
     """
     tip, _ = interface_step(robot)
     bodies = list(step_bodies(robot))
     if tip != BASE_LINK:
         bodies[tip] = tip_body(robot, payload)
     drives = [np.array(chain_of(drive).numbers(drive)) for drive in robot.drives]
-    return frozen(np.concatenate([-robot.gravity, *bodies, *drives, spring_numbers(robot)]))
+    behind = spring_numbers(robot), supply_numbers(robot.drives)
+    return frozen(np.concatenate([-robot.gravity, *bodies, *drives, *behind]))
 
 
 def traced_numbers(tracer: Tracer, structure: ArmStructure) -> TracedNumbers:
@@ -181,5 +190,7 @@ def split_numbers(structure: ArmStructure, numbers: list[Scalar]) -> TracedNumbe
     for chain in structure.drives:
         drives.append(numbers[first : first + chain.size])
         first += chain.size
-    springs = [numbers[k : k + SPRING] for k in range(first, len(structure.present), SPRING)]
-    return TracedNumbers(numbers[:3], bodies, drives, springs)
+    end = len(structure.present) - SUPPLY_SIZE * len(structure.supplies)
+    springs = [numbers[k : k + SPRING] for k in range(first, end, SPRING)]
+    supplies = [numbers[k : k + SUPPLY_SIZE] for k in range(end, len(structure.present), SUPPLY_SIZE)]
+    return TracedNumbers(numbers[:3], bodies, drives, springs, supplies)

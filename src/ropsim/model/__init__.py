@@ -109,6 +109,9 @@ from ropsim.model.drives.hydraulics import HydraulicVane as HydraulicVane
 from ropsim.model.drives.linkage import Linkage as Linkage
 from ropsim.model.drives.linkage import Point as Point
 from ropsim.model.drives.linkage import linkage as linkage
+from ropsim.model.drives.supply import ATMOSPHERE as ATMOSPHERE
+from ropsim.model.drives.supply import SEAT as SEAT
+from ropsim.model.drives.supply import HydraulicSupply as HydraulicSupply
 from ropsim.model.drives.thermal_motor import COPPER as COPPER
 from ropsim.model.drives.thermal_motor import GuardedAmplifier as GuardedAmplifier
 from ropsim.model.drives.thermal_motor import ThermalDcMotor as ThermalDcMotor

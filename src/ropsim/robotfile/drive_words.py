@@ -79,10 +79,15 @@ def drive_keys(drive: Drive, frames: PinFrames) -> dict[str, str] | None:
             if not isinstance(drive.transmission, Linkage):
                 return None
             keys = _cylinder(most, drive.motor)
-            return keys | _linkage(drive.transmission, frames) | _friction(drive.friction)
+            keys |= _linkage(drive.transmission, frames)
+            return keys | _friction(drive.friction) | _supply(drive)
         case _:
             return None
-    return keys | _gear(drive) | _friction(drive.friction)
+    return keys | _gear(drive) | _friction(drive.friction) | _supply(drive)
+
+
+def _supply(drive: Drive) -> dict[str, str]:
+    return {"supply": text(drive.supply.name)} if drive.supply else {}
 
 
 def _dc(motor: DcMotor | ThermalDcMotor | CurrentLoopMotor, most: tuple[float, float]) -> dict[str, str]:

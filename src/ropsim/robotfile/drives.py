@@ -33,6 +33,7 @@ from ropsim.model import (
 from ropsim.robotfile import diagnostics as kinds
 from ropsim.robotfile.dh_table import DhTable
 from ropsim.robotfile.hydraulics.cylinders import read_cylinder
+from ropsim.robotfile.hydraulics.supplies import read_supplies, with_supplies
 from ropsim.robotfile.hydraulics.valves import HYDRAULIC, VALVE_NEEDED, read_valve
 from ropsim.tomltext import CONFLICTING_KEYS, NUMBER, VALUE_OUT_OF_RANGE, Quantity, TomlTable, read_kind
 
@@ -61,13 +62,16 @@ def read_drives(root: TomlTable, dh: DhTable) -> tuple[Drive, ...]:
     """Return the drives of a file, one per joint; empty without any, or if they are invalid.
 
     Args:
-        root: the file, with the key `drives`.
+        root: the file, with the keys `drives` and `supplies`.
         dh: its joints.
     """
     rows, count = root.tables("drives"), len(dh.joints)
     if rows and len(rows) != count:
         root.wrong_count(("drives",), rows, f"{count}, one per joint")
-    drives = [_drive(row, dh, number) for number, row in enumerate(rows[:count])]
+    supplies = read_supplies(root)
+    names = [row.choice("supply", tuple(supplies), "") if "supply" in row else "" for row in rows[:count]]
+    alone = [_drive(row, dh, number) for number, row in enumerate(rows[:count])]
+    drives = with_supplies(alone, rows[:count], names, supplies)
     for row in rows[count:]:
         row.asked.update(dict.fromkeys(row.values))
     known = tuple(drive for drive in drives if drive is not None)

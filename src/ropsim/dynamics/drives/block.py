@@ -136,6 +136,8 @@ class MotorBlock:
             for a motor without states, or one whose amplifier does not read it.
         most: `record` to the largest torque at standstill for any input; None if the amplifier alone limits
             it.
+        taken: `(numbers, states)` to the flow that it takes from its supply of oil [m³/s]; None where it is
+            at none.
     """
 
     takes: InputKind
@@ -149,6 +151,7 @@ class MotorBlock:
     power: Callable[[Any, Recorded, Array], Array]
     keeping: Callable[[Numbers, Scalar, Scalar], Scalar] | None = None
     most: Callable[[Any], float] | None = None
+    taken: Callable[[Numbers, Numbers], Scalar] | None = None
 
 
 class Rubbing(NamedTuple):

@@ -32,12 +32,14 @@ class DriveChain:
         motor: takes the output of the amplifier.
         transmission: brings the torque of the motor to the joint.
         friction: of motor and transmission.
+        is_supplied: whether its valve is at a supply with an accumulator, whose pressure is a state.
     """
 
     amplifier: AmplifierBlock
     motor: MotorBlock
     transmission: TransmissionBlock
     friction: FrictionBlock
+    is_supplied: bool = False
 
     @property
     def states(self) -> tuple[Column, ...]:
@@ -67,6 +69,23 @@ class DriveChain:
         """
         amplifier, _, gear, _ = self._parts(p)
         return self.amplifier.trace(amplifier, command) * (gear[0] / abs(gear[0]))
+
+    def supplied(self, p: Numbers, pressure: Scalar) -> Numbers:
+        """Return the numbers of the drive with another pressure of its supply of oil."""
+        names = [name for block in self._names for name in block]
+        place = names.index("supply_pressure")
+        return [*p[:place], pressure, *p[place + 1 :]]
+
+    def taken(self, p: Numbers, states: Numbers) -> Scalar | None:
+        """Return the flow that the drive takes from its supply of oil [m³/s]; None where it is at none.
+
+        Args:
+            p: numbers of the drive.
+            states: of motor, transmission and friction.
+        """
+        if self.motor.taken is None:
+            return None
+        return self.motor.taken(self._parts(p)[1], states[: len(self.motor.states)])
 
     def trace(self, p: Numbers, q: Scalar, qd: Scalar, states: Numbers, u: Scalar) -> Carried:
         """Return the effect of the drive on its joint.
@@ -161,4 +180,5 @@ def chain_of(drive: Drive) -> DriveChain:
         MOTORS[type(drive.motor)],
         TRANSMISSIONS[type(drive.transmission)],
         FRICTIONS[type(drive.friction)],
+        drive.supply is not None,
     )

@@ -8,6 +8,7 @@ from ropsim.model.drives.current_loop import CurrentLoopMotor, LaggingMotor
 from ropsim.model.drives.friction import Friction, FrictionLaw
 from ropsim.model.drives.hydraulics import HydraulicCylinder, HydraulicMotor, HydraulicVane
 from ropsim.model.drives.linkage import Linkage
+from ropsim.model.drives.supply import HydraulicSupply
 from ropsim.model.drives.thermal_motor import GuardedAmplifier, ThermalDcMotor
 
 
@@ -161,12 +162,15 @@ class Drive:
         motor: turns that into torque at its shaft.
         transmission: brings the torque to the joint.
         friction: of motor and gear, on the motor side.
+        supply: of oil with an accumulator, which drives with equal records share; None for one of constant
+            pressure, and of electric motors.
     """
 
     amplifier: Amplifier
     motor: Motor
     transmission: Transmission
     friction: FrictionLaw = Friction()
+    supply: HydraulicSupply | None = None
 
     def ratio_at(self, q: float) -> float:
         """Return G = speed of the motor over that of the joint, signed, where the joint is at q [rad | m]."""

@@ -249,8 +249,9 @@ def body_findings(
 
 
 def _drive(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]:
-    for block in (drive.amplifier, drive.motor, drive.transmission):
-        for name in (field.name for field in fields(block)):
+    supplies = (drive.supply,) if drive.supply else ()
+    for block in (drive.amplifier, drive.motor, drive.transmission, *supplies):
+        for name in (field.name for field in fields(block) if field.name != "name"):
             value = getattr(block, name)
             numbers = value if isinstance(value, tuple) else (value,)
             place = place_of(AuditPlace(number, Attribute.DRIVE, name))

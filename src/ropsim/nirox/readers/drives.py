@@ -15,6 +15,7 @@ from ropsim.model import (
     ElasticGear,
     Gear,
     GuardedAmplifier,
+    Hydraulic,
     IdealMotor,
     Joint,
     LaggingMotor,
@@ -27,7 +28,7 @@ from ropsim.model import (
 from ropsim.nirox.diagnostics import LOST
 from ropsim.nirox.readers.attributes import LARGEST
 from ropsim.nirox.readers.frictions import read_friction
-from ropsim.nirox.readers.hydraulics import HYDRAULIC, Linkages, read_hydraulic
+from ropsim.nirox.readers.hydraulics import HYDRAULIC, Linkages, read_hydraulic, read_supply
 from ropsim.nirox.readers.mechanism import Mechanism
 from ropsim.nirox.readers.seen import Seen
 
@@ -102,7 +103,9 @@ def _drive(seen: Seen, linkages: Linkages, train: int, pair: int, number: int) -
     amplifier, motor = _motor(seen, train, at_input, number)
     if isinstance(transmission, Linkage) and seen.user(pair, "joint_elasticity", "pair") is not None:
         seen.note(LOST, through, "what the joint says of elasticity has no effect: oil is what gives way")
-    drive = Drive(amplifier, motor, transmission, read_friction(seen, pair, ratio, number))
+    is_hydraulic = isinstance(motor, Hydraulic)
+    supply = read_supply(seen, seen.ref(train, "driven_by")) if is_hydraulic else None
+    drive = Drive(amplifier, motor, transmission, read_friction(seen, pair, ratio, number), supply)
     return drive if linkages.can_be(through, drive, number) else None
 
 

@@ -115,7 +115,7 @@ def _motor(building: Building, number: int, name: str, drive: Drive) -> tuple[Re
     """Return the motor of a drive, and the amplifier where it says more than its voltage and current."""
     key, motor, amplifier = ("motor", number), drive.motor, drive.amplifier
     if isinstance(motor, Hydraulic):
-        return write_hydraulic(building, number, name, motor)
+        return write_hydraulic(building, number, name, motor, drive.supply)
     if isinstance(motor, ThermalDcMotor) and isinstance(amplifier, GuardedAmplifier):
         made = _dc_motor(building, number, name, motor, (amplifier.max_voltage, amplifier.max_current))
         bodies = (motor.winding_thermal_resistance, motor.housing_thermal_resistance)

@@ -6,7 +6,14 @@ import numpy as np
 
 from ropsim.codegen import Engine
 from ropsim.controller import LawTraits
-from ropsim.dynamics import SteadyDrive, closed_coordinates, compiled, steady_drive, structure_of
+from ropsim.dynamics import (
+    SteadyDrive,
+    closed_coordinates,
+    compiled,
+    steady_drive,
+    structure_of,
+    supply_groups,
+)
 from ropsim.model import BacklashGear, Drive, ElasticGear, Hydraulic, Payload, RobotModel
 from ropsim.simulation.servo.state import StateLayout
 from ropsim.spatial import Array
@@ -40,7 +47,14 @@ def held_state(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Ar
     for axis, held in enumerate(held_drives(robot, q, payload)):
         x[list(layout.drive(axis))] = held.states
         u[axis] = held.output
+    x[layout.supplies] = full_supplies(robot)
     return x, u
+
+
+def full_supplies(robot: RobotModel) -> Array:
+    """Return the pressures at which the pumps of supplies with accumulators stand still [Pa]."""
+    firsts = (robot.drives[axes[0]].motor for axes in supply_groups(robot.drives))
+    return np.array([motor.supply_pressure for motor in firsts if isinstance(motor, Hydraulic)])
 
 
 def without_dead_zones(robot: RobotModel) -> RobotModel:

@@ -41,8 +41,8 @@ from ropsim.simulation.servo.checks import (
 )
 from ropsim.simulation.servo.diagnostics import DivergedError
 from ropsim.simulation.servo.divergence import diverged, first_fault, is_sound
-from ropsim.simulation.servo.held_state import held_drives
-from ropsim.simulation.servo.judged import full_values
+from ropsim.simulation.servo.held_state import full_supplies, held_drives
+from ropsim.simulation.servo.judged import limit_values
 from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
 from ropsim.simulation.servo.recorder import Recorder
@@ -164,6 +164,7 @@ class Servo:
         values = np.zeros(layout.size)
         values[layout.q] = start
         layout.in_force(values)[0] = start
+        values[layout.supplies] = full_supplies(self.robot)
         if self.robot.cuts:
             values[list(layout.loops.passive)] = closed_coordinates(self.robot, start)
         memory, pending = layout.memory(values), layout.waiting(values)
@@ -370,11 +371,12 @@ class _Bench:
         values, model = np.zeros(layout.size), law.model.rows if law.model else sensors[:0]
         parameters = np.vstack((law.parameters, model, sensors))
         state = (values, layout.in_force(values), layout.waiting(values), layout.remembered(values))
-        ends, full = np.array([robot.lower_limits, robot.upper_limits]), full_values(robot)
-        room = (np.zeros((frame_rows(law), layout.n)), np.zeros((5, layout.integrated)), np.zeros(len(full)))
+        ends, full = np.array([robot.lower_limits, robot.upper_limits]), limit_values(robot)
+        width = len(full) // 2
+        room = (np.zeros((frame_rows(law), layout.n)), np.zeros((5, layout.integrated)), np.zeros(width))
         given = (*state, parameters, *room, ends, full, rates.plant_steps, 1.0 / rates.control_hz)
         made = bound(kernel, *given)
-        return cls(values, parameters, len(full), made, {})
+        return cls(values, parameters, width, made, {})
 
 
 def _kernel(

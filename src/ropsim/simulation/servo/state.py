@@ -14,10 +14,10 @@ MOTOR_SPEED = "motor_speed"
 class StateLayout:
     """Where things stand in the state vector.
 
-    In order: q, qd, states of the drives, and of closed chains the coordinates that they determine, their
-    speeds and what is left between their frames; outputs of the amplifiers, the reference in force, outputs
-    of the law that do not act yet, states of the law, those of the sensors. All before the outputs of the
-    amplifiers is integrated; the others change at control ticks.
+    In order: q, qd, states of the drives, pressures of supplies with accumulators, and of closed chains the
+    coordinates that they determine, their speeds and what is left between their frames; outputs of the
+    amplifiers, the reference in force, outputs of the law that do not act yet, states of the law, those of
+    the sensors. All before the outputs of the amplifiers is integrated; the others change at control ticks.
 
     Attributes:
         n: number of joints.
@@ -27,6 +27,7 @@ class StateLayout:
         law_rows: rows of n numbers that the law remembers.
         sensor_rows: rows of n numbers that sensors hold, or that are on their way from them.
         passive: number of coordinates that closed chains determine.
+        supplied: drives at each supply of oil with an accumulator, from 0.
     """
 
     n: int
@@ -36,6 +37,7 @@ class StateLayout:
     law_rows: int
     sensor_rows: int = 0
     passive: int = 0
+    supplied: tuple[tuple[int, ...], ...] = ()
 
     @classmethod
     def of(cls, structure: ArmStructure, traits: LawTraits, sensor_rows: int = 0) -> "StateLayout":
@@ -44,9 +46,10 @@ class StateLayout:
         n = len(chains)
         names = tuple(tuple(state.name for state in chain.states) for chain in chains)
         drives = fields(names, 2 * n)
-        integrated = drives[-1].place.stop if drives else 2 * n
+        integrated = (drives[-1].place.stop if drives else 2 * n) + len(structure.supplies)
         integrated += 2 * p + 1 if p else 0
-        return cls(n, drives, integrated, traits.delay, len(traits.state_names), sensor_rows, p)
+        rows = len(traits.state_names)
+        return cls(n, drives, integrated, traits.delay, rows, sensor_rows, p, structure.supplies)
 
     @property
     def size(self) -> int:
@@ -67,6 +70,11 @@ class StateLayout:
     def driven(self) -> int:
         """Return how many numbers belong to axes and drives: those of closed chains follow behind them."""
         return self.integrated - (2 * self.passive + 1 if self.passive else 0)
+
+    @property
+    def supplies(self) -> slice:
+        """Return the place of the pressures of the supplies with accumulators [Pa]."""
+        return slice(self.driven - len(self.supplied), self.driven)
 
     @property
     def loops(self) -> LoopState:
