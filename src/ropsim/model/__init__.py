@@ -106,6 +106,7 @@ from ropsim.model.drives.hydraulics import Hydraulic as Hydraulic
 from ropsim.model.drives.hydraulics import HydraulicCylinder as HydraulicCylinder
 from ropsim.model.drives.hydraulics import HydraulicMotor as HydraulicMotor
 from ropsim.model.drives.hydraulics import HydraulicVane as HydraulicVane
+from ropsim.model.drives.link_elasticity import LinkElasticity as LinkElasticity
 from ropsim.model.drives.linkage import Linkage as Linkage
 from ropsim.model.drives.linkage import Point as Point
 from ropsim.model.drives.linkage import linkage as linkage

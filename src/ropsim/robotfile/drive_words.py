@@ -80,10 +80,10 @@ def drive_keys(drive: Drive, frames: PinFrames) -> dict[str, str] | None:
                 return None
             keys = _cylinder(most, drive.motor)
             keys |= _linkage(drive.transmission, frames)
-            return keys | _friction(drive.friction) | _supply(drive)
+            return keys | _friction(drive.friction) | _supply(drive) | _link(drive)
         case _:
             return None
-    return keys | _gear(drive) | _friction(drive.friction) | _supply(drive)
+    return keys | _gear(drive) | _friction(drive.friction) | _supply(drive) | _link(drive)
 
 
 def _supply(drive: Drive) -> dict[str, str]:
@@ -188,6 +188,18 @@ def _gear(drive: Drive) -> dict[str, str]:
     if isinstance(gear, BacklashGear):
         keys["backlash"] = number(gear.backlash)
     return keys
+
+
+def _link(drive: Drive) -> dict[str, str]:
+    """Return the keys of the elasticity of the link that a drive moves; none for a rigid one."""
+    link = drive.link
+    if link is None:
+        return {}
+    return {
+        "link_stiffness": number(link.stiffness),
+        "link_damping": unless(link.damping, 0.0),
+        "hub_inertia": unless(link.hub_inertia, 0.0),
+    }
 
 
 def _friction(law: FrictionLaw) -> dict[str, str]:

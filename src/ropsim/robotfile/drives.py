@@ -1,10 +1,11 @@
 """The rows of `drives`: amplifier, motor, gear and friction of each joint, in SI units."""
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from math import inf
 from types import MappingProxyType
 
-from ropsim.dynamics import range_fault
+from ropsim.dynamics import drive_fault, range_fault
 from ropsim.model import (
     COPPER,
     BacklashGear,
@@ -22,6 +23,7 @@ from ropsim.model import (
     HydraulicVane,
     IdealMotor,
     LaggingMotor,
+    LinkElasticity,
     LoadFriction,
     LugreFriction,
     StribeckFriction,
@@ -46,6 +48,8 @@ CYLINDER = "cylinder"
 _LOW_SPEED, _EXPONENT = ("breakaway", "stribeck_speed"), "stribeck_exponent"
 _BRISTLES = ("bristle_stiffness", "bristle_damping")
 _APART = (("load_share", (*_LOW_SPEED, _EXPONENT, *_BRISTLES)), (_EXPONENT, _BRISTLES))
+_LINK, _LINK_DAMPING, _HUB = "link_stiffness", "link_damping", "hub_inertia"
+_STIFF = NUMBER.within(1e-9, 1e12)
 _HEAT = (
     "winding_thermal_resistance",
     "housing_thermal_resistance",
@@ -68,9 +72,13 @@ def read_drives(root: TomlTable, dh: DhTable) -> tuple[Drive, ...]:
     rows, count = root.tables("drives"), len(dh.joints)
     if rows and len(rows) != count:
         root.wrong_count(("drives",), rows, f"{count}, one per joint")
+    links = [_link(row) for row in rows[:count]]
     supplies = read_supplies(root)
     names = [row.choice("supply", tuple(supplies), "") if "supply" in row else "" for row in rows[:count]]
-    alone = [_drive(row, dh, number) for number, row in enumerate(rows[:count])]
+    alone = [
+        _with_link(row, _drive(row, dh, number), link)
+        for number, (row, link) in enumerate(zip(rows[:count], links, strict=True))
+    ]
     drives = with_supplies(alone, rows[:count], names, supplies)
     for row in rows[count:]:
         row.asked.update(dict.fromkeys(row.values))
@@ -213,6 +221,42 @@ def _transmission(table: TomlTable) -> Transmission:
     spring = table.number("stiffness", _POSITIVE, 1.0), table.number("damping", _FROM_ZERO, 0.0)
     backlash = table.number("backlash", _PLAY, 0.0)
     return BacklashGear(ratio, *spring, backlash) if backlash else ElasticGear(ratio, *spring)
+
+
+def _link(table: TomlTable) -> LinkElasticity | None:
+    """Return the elasticity of the link that a drive moves; None for a rigid one.
+
+    Args:
+        table: the row, before it is finished.
+    """
+    if _LINK not in table:
+        if table.values.keys() & {_LINK_DAMPING, _HUB}:
+            table.require(_LINK)
+            table.asked.update(dict.fromkeys((_LINK_DAMPING, _HUB)))
+        return None
+    return LinkElasticity(
+        table.number(_LINK, _STIFF, 1.0),
+        table.number(_LINK_DAMPING, _FROM_ZERO, 0.0),
+        table.number(_HUB, _FROM_ZERO, 0.0),
+    )
+
+
+def _with_link(table: TomlTable, drive: Drive | None, link: LinkElasticity | None) -> Drive | None:
+    """Return a drive before an elastic link; one that has nothing to turn its hub is reported.
+
+    Args:
+        table: the row.
+        drive: of the row; None where it is not known.
+        link: of the row; None for a rigid one.
+    """
+    if drive is None or link is None:
+        return drive
+    made = replace(drive, link=link)
+    fault = drive_fault(made) if drive_fault(drive) is None and not table.missing else None
+    if fault:
+        hint = "give `hub_inertia`, of what turns between gear and link, in kg·m²"
+        table.findings.add(VALUE_OUT_OF_RANGE, table.key_span(_LINK), " ".join(fault), hint)
+    return made
 
 
 def read_friction(table: TomlTable) -> FrictionLaw:

@@ -246,6 +246,26 @@ class FrictionBlock:
 
 
 @frozen_dataclass
+class LinkBlock:
+    """What lies between the drive of a joint and the link that it moves.
+
+    Attributes:
+        numbers: attributes of its record that the formula takes.
+        positive: numbers that must be positive.
+        states: coordinate and speed of the hub.
+        trace: `(numbers, states, coordinate and speed of the joint, effect of the drive on the hub)` to its
+            effect on the joint.
+        hub: `(record, joint coordinate, effort)` to the coordinate of the hub at standstill.
+    """
+
+    numbers: tuple[str, ...]
+    positive: tuple[str, ...]
+    states: tuple[Column, ...]
+    trace: Callable[[Numbers, Numbers, tuple[Scalar, Scalar], Carried], Carried]
+    hub: Callable[[Any, float, float], float]
+
+
+@frozen_dataclass
 class TransmissionBlock:
     """A transmission; the first of its numbers has the sign of its ratio G.
 

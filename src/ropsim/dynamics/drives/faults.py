@@ -63,7 +63,7 @@ def drive_fault(drive: Drive) -> Fault | None:
     if not isinstance(drive.transmission, Linkage) and not 0.0 < abs(drive.transmission.ratio) < inf:
         size = abs(drive.transmission.ratio)
         return "magnitude of `ratio`", f"is `{size}`; it must be positive and finite"
-    if found := _oil_fault(drive):
+    if found := _oil_fault(drive) or _link_fault(drive):
         return found
     if isinstance(drive.motor, ThermalDcMotor) and (found := _thermal_fault(drive.motor)):
         return found
@@ -116,6 +116,21 @@ def _hydraulic_fault(motor: Hydraulic) -> Fault | None:
     if not motor.rotor_inertia >= 0.0:
         name = "moving_mass" if isinstance(motor, HydraulicCylinder) else "rotor_inertia"
         return f"`{name}`", f"is `{motor.rotor_inertia}`; it must be 0 or more"
+    return None
+
+
+def _link_fault(drive: Drive) -> Fault | None:
+    link = drive.link
+    if link is None:
+        return None
+    if not 0.0 < link.stiffness < inf:
+        return "`stiffness`", f"of the link is `{link.stiffness}`; it must be positive and finite"
+    for name in ("damping", "hub_inertia"):
+        value = float(getattr(link, name))
+        if not 0.0 <= value < inf:
+            return f"`{name}`", f"of the link is `{value}`; it must be 0 or more, and finite"
+    if drive.has_idle_hub:
+        return "`hub_inertia`", "is `0`; before an elastic link the hub, or a rotor on a rigid gear, has one"
     return None
 
 

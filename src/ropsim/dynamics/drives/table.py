@@ -5,6 +5,7 @@ from ropsim.dynamics.drives.backlash_gear import BACKLASH_GEAR
 from ropsim.dynamics.drives.block import (
     AmplifierBlock,
     FrictionBlock,
+    LinkBlock,
     MotorBlock,
     TransmissionBlock,
 )
@@ -21,6 +22,7 @@ from ropsim.dynamics.drives.hydraulics.motor import HYDRAULIC_MOTOR
 from ropsim.dynamics.drives.hydraulics.vane import HYDRAULIC_VANE
 from ropsim.dynamics.drives.ideal_motor import IDEAL_MOTOR
 from ropsim.dynamics.drives.lagging_motor import LAGGING_MOTOR
+from ropsim.dynamics.drives.link_elasticity import LINK_ELASTICITY
 from ropsim.dynamics.drives.linkage import LINKAGE
 from ropsim.dynamics.drives.thermal_motor import THERMAL_MOTOR
 from ropsim.model import (
@@ -39,6 +41,7 @@ from ropsim.model import (
     IdealMotor,
     LaggingMotor,
     Linkage,
+    LinkElasticity,
     LoadFriction,
     LugreFriction,
     StribeckFriction,
@@ -70,6 +73,7 @@ TRANSMISSIONS: dict[type, TransmissionBlock] = {
     BacklashGear: BACKLASH_GEAR,
     Linkage: LINKAGE,
 }
+LINKS: dict[type, LinkBlock] = {LinkElasticity: LINK_ELASTICITY}
 FRICTIONS: dict[type, FrictionBlock] = {
     Friction: FRICTION,
     StribeckFriction: STRIBECK_FRICTION,

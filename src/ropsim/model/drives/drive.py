@@ -7,6 +7,7 @@ from ropsim.core import frozen_dataclass
 from ropsim.model.drives.current_loop import CurrentLoopMotor, LaggingMotor
 from ropsim.model.drives.friction import Friction, FrictionLaw
 from ropsim.model.drives.hydraulics import HydraulicCylinder, HydraulicMotor, HydraulicVane
+from ropsim.model.drives.link_elasticity import LinkElasticity
 from ropsim.model.drives.linkage import Linkage
 from ropsim.model.drives.supply import HydraulicSupply
 from ropsim.model.drives.thermal_motor import GuardedAmplifier, ThermalDcMotor
@@ -164,6 +165,7 @@ class Drive:
         friction: of motor and gear, on the motor side.
         supply: of oil with an accumulator, which drives with equal records share; None for one of constant
             pressure, and of electric motors.
+        link: elasticity of the link that it moves; None for a rigid one.
     """
 
     amplifier: Amplifier
@@ -171,6 +173,7 @@ class Drive:
     transmission: Transmission
     friction: FrictionLaw = Friction()
     supply: HydraulicSupply | None = None
+    link: LinkElasticity | None = None
 
     def ratio_at(self, q: float) -> float:
         """Return G = speed of the motor over that of the joint, signed, where the joint is at q [rad | m]."""
@@ -181,6 +184,13 @@ class Drive:
         """Return the angle of the shaft, or by how much the rod is out, where the joint is at q [rad | m]."""
         gear = self.transmission
         return gear.out_at(q) if isinstance(gear, Linkage) else gear.ratio * q
+
+    @property
+    def has_idle_hub(self) -> bool:
+        """Return whether the hub before an elastic link has no inertia: none of its own, none of a rotor."""
+        if self.link is None or self.link.hub_inertia:
+            return False
+        return isinstance(self.transmission, Elastic) or not self.motor.rotor_inertia
 
     @property
     def sense(self) -> float:

@@ -249,8 +249,8 @@ def body_findings(
 
 
 def _drive(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]:
-    supplies = (drive.supply,) if drive.supply else ()
-    for block in (drive.amplifier, drive.motor, drive.transmission, *supplies):
+    parts = (drive.amplifier, drive.motor, drive.transmission, drive.supply, drive.link)
+    for block in (part for part in parts if part is not None):
         for name in (field.name for field in fields(block) if field.name != "name"):
             value = getattr(block, name)
             numbers = value if isinstance(value, tuple) else (value,)

@@ -20,6 +20,7 @@ from ropsim.model import (
     Joint,
     LaggingMotor,
     Linkage,
+    LinkElasticity,
     Motor,
     ThermalDcMotor,
     Transmission,
@@ -105,7 +106,11 @@ def _drive(seen: Seen, linkages: Linkages, train: int, pair: int, number: int) -
         seen.note(LOST, through, "what the joint says of elasticity has no effect: oil is what gives way")
     is_hydraulic = isinstance(motor, Hydraulic)
     supply = read_supply(seen, seen.ref(train, "driven_by")) if is_hydraulic else None
-    drive = Drive(amplifier, motor, transmission, read_friction(seen, pair, ratio, number), supply)
+    friction = read_friction(seen, pair, ratio, number)
+    drive = Drive(amplifier, motor, transmission, friction, supply, _link(seen, pair, number))
+    if drive.has_idle_hub:
+        words = "`hub_inertia` is 0; before an elastic link the hub, or a rotor on a rigid gear, has one"
+        raise seen.impossible(train, words)
     return drive if linkages.can_be(through, drive, number) else None
 
 
@@ -203,6 +208,15 @@ def _transmission(seen: Seen, through: int, pair: int, number: int) -> tuple[Gea
         return BacklashGear(ratio, gear.stiffness, gear.damping, backlash), at_input
     seen.note(LOST, through, "backlash of a rigid gear has no effect", "give its stiffness")
     return gear, at_input
+
+
+def _link(seen: Seen, pair: int, number: int) -> LinkElasticity | None:
+    """Return the elasticity of the link that a drive moves; None for a rigid one."""
+    entry = seen.user(pair, "link_elasticity", "pair")
+    if entry is None:
+        return None
+    seen.take(entry, "link elasticity", number)
+    return LinkElasticity(*(seen.real(entry, one) for one in ("stiffness", "damping", "hub_inertia")))
 
 
 def _usable(seen: Seen, number: int, name: str) -> float:

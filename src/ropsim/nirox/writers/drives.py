@@ -45,6 +45,10 @@ def write_drives(building: Building, robot: RobotModel) -> None:
         if drive is not None:
             _drive_train(building, robot, number, drive)
             write_friction(building, number, drive.friction)
+            if drive.link is not None:
+                numbers = (drive.link.stiffness, drive.link.damping, drive.link.hub_inertia)
+                pair = building.at(("pair", number))
+                building.add(("link elasticity", number), "LINK_ELASTICITY", pair, *map(float, numbers))
         motion = (inf, inf, inf) if drive else (joint.max_speed, joint.max_acceleration, joint.max_jerk)
         limits = (*motion, joint.max_effort)
         if any(one != inf for one in limits):

@@ -24,6 +24,11 @@ class Plant(Protocol):
         ...
 
     @property
+    def sensed(self) -> Array:
+        """Return coordinates and speeds as motors measure them, before elastic links, shape (2, n)."""
+        ...
+
+    @property
     def effort(self) -> Array:
         """Return the torques of the drives at the joints [N·m | N], shape (n,); 0 without drives."""
         ...

@@ -24,9 +24,7 @@ SMALL = 1e-6
 
 def held_drives(robot: RobotModel, q: Array, payload: Payload) -> tuple[SteadyDrive, ...]:
     """Return the drives of an arm that holds itself and its load at rest; arguments as in `held_state`."""
-    rest, tau = np.zeros(robot.n), np.empty(robot.n)
-    # a single evaluation: plain Python is faster than compiling it
-    compiled(robot, payload, Engine.PYTHON).rigid_inverse(q, rest, rest, np.zeros(6), tau)
+    tau = _holding(robot, q, payload)
     places = zip(robot.drives, np.asarray(q, np.float64).tolist(), tau.tolist(), strict=True)
     return tuple(steady_drive(drive, place, 0.0, effort) for drive, place, effort in places)
 
@@ -49,6 +47,36 @@ def held_state(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Ar
         u[axis] = held.output
     x[layout.supplies] = full_supplies(robot)
     return x, u
+
+
+def sagging(robot: RobotModel, q: Array, payload: Payload) -> Array:
+    """Return where the links of an arm rest whose motors hold it at coordinates [rad | m], shape (n,).
+
+    Behind an elastic link of stiffness k a joint is at h - τ/k, where h is the coordinate of its hub, and τ
+    holds the arm there.
+
+    Args:
+        robot: with drives.
+        q: coordinates that the motors hold [rad | m], shape (n,).
+        payload: tool and part.
+    """
+    softness = np.array([1.0 / one.link.stiffness if one.link else 0.0 for one in robot.drives])
+    at = np.array(q, np.float64)
+    for _ in range(_SAGS if softness.any() else 0):
+        at = q - softness * _holding(robot, at, payload)
+    return at
+
+
+_SAGS = 30
+"""Steps in which a sag is found: each is as small against the one before as it is against the arm."""
+
+
+def _holding(robot: RobotModel, q: Array, payload: Payload) -> Array:
+    """Return the efforts that hold an arm at rest [N·m | N], shape (n,)."""
+    rest, tau = np.zeros(robot.n), np.empty(robot.n)
+    # a single evaluation: plain Python is faster than compiling it
+    compiled(robot, payload, Engine.PYTHON).rigid_inverse(q, rest, rest, np.zeros(6), tau)
+    return tau
 
 
 def full_supplies(robot: RobotModel) -> Array:

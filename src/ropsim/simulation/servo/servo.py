@@ -41,7 +41,7 @@ from ropsim.simulation.servo.checks import (
 )
 from ropsim.simulation.servo.diagnostics import DivergedError
 from ropsim.simulation.servo.divergence import diverged, first_fault, is_sound
-from ropsim.simulation.servo.held_state import full_supplies, held_drives
+from ropsim.simulation.servo.held_state import full_supplies, held_drives, sagging
 from ropsim.simulation.servo.judged import limit_values
 from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
@@ -162,13 +162,13 @@ class Servo:
         start = check_vector("q", q, n)
         layout = self.layout
         values = np.zeros(layout.size)
-        values[layout.q] = start
+        values[layout.q] = at = sagging(self.robot, start, payload)
         layout.in_force(values)[0] = start
         values[layout.supplies] = full_supplies(self.robot)
         if self.robot.cuts:
-            values[list(layout.loops.passive)] = closed_coordinates(self.robot, start)
+            values[list(layout.loops.passive)] = closed_coordinates(self.robot, at)
         memory, pending = layout.memory(values), layout.waiting(values)
-        for k, held in enumerate(held_drives(self.robot, start, payload)):
+        for k, held in enumerate(held_drives(self.robot, at, payload)):
             values[list(layout.drive(k))] = held.states
             values[layout.output.start + k] = held.output
             pending[:, k] = held.command
@@ -326,8 +326,8 @@ class Servo:
         """
         found = self.layout.sensed(self.law.traits.sensed)
         rows = [[0.0 if one is None else state.values[one] for one in places] for places in found]
-        speeds = state.values[list(self.layout.measured_speeds)]
-        return np.array([state.q, speeds, self.efforts(state), np.zeros(self.robot.n), *rows])
+        q, speeds = state.sensed
+        return np.array([q, speeds, self.efforts(state), np.zeros(self.robot.n), *rows])
 
     def efforts(self, state: ServoState) -> Array:
         """Return the torques of the drives at the joints in a state [N·m | N], shape (n,)."""

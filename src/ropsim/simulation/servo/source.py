@@ -52,6 +52,11 @@ def _slice_text(structure: ArmStructure, law: CompiledLaw, sensing: Sensing) -> 
     layout = StateLayout.of(structure, traits)
     size = layout.integrated
     motors = [
+        f"seen[0, {axis}] = x[{place}]"
+        for axis, place in enumerate(layout.measured_coordinates)
+        if place != axis
+    ]
+    motors += [
         f"seen[1, {axis}] = x[{place}]"
         for axis, place in enumerate(layout.measured_speeds)
         if place != n + axis

@@ -9,6 +9,9 @@ from ropsim.spatial import Array, record
 MOTOR_SPEED = "motor_speed"
 """Name of the state of drives with elastic gears: the speed of the motor over the gear ratio."""
 
+HUB_COORDINATE, HUB_SPEED = "hub_coordinate", "hub_speed"
+"""Names of the states of drives before elastic links, whose motors know where their hubs are."""
+
 
 @frozen_dataclass
 class StateLayout:
@@ -129,13 +132,19 @@ class StateLayout:
     @property
     def measured_speeds(self) -> tuple[int, ...]:
         """Return the places of the speeds measured for a law: of the motor if it is a separate state."""
-        motors = {
-            axis: field.first + number
-            for field in self.drives
-            if field.name == MOTOR_SPEED
-            for number, axis in enumerate(field.axes)
-        }
+        motors = self._places(HUB_SPEED) | self._places(MOTOR_SPEED)
         return tuple(motors.get(axis, self.n + axis) for axis in range(self.n))
+
+    @property
+    def measured_coordinates(self) -> tuple[int, ...]:
+        """Return the places of the coordinates measured for a law: of the hub before an elastic link."""
+        hubs = self._places(HUB_COORDINATE)
+        return tuple(hubs.get(axis, axis) for axis in range(self.n))
+
+    def _places(self, name: str) -> dict[int, int]:
+        """Return where a state stands, for each drive that has it."""
+        fields = (field for field in self.drives if field.name == name)
+        return {axis: field.first + k for field in fields for k, axis in enumerate(field.axes)}
 
     def sensed(self, names: tuple[str, ...]) -> list[tuple[int | None, ...]]:
         """Return for each name where that state of each drive stands; None for a drive without it."""
@@ -176,6 +185,12 @@ class ServoState:
     def qd(self) -> Array:
         """Return the joint speeds [rad/s | m/s], shape (n,)."""
         return self.values[self.layout.qd]
+
+    @property
+    def sensed(self) -> Array:
+        """Return coordinates and speeds as a law is given them: those of motors, shape (2, n)."""
+        layout = self.layout
+        return self.values[[layout.measured_coordinates, layout.measured_speeds]]
 
     @property
     def output(self) -> Array:

@@ -46,6 +46,11 @@ class KinematicPlant:
         return self._qd
 
     @property
+    def sensed(self) -> Array:
+        """Return coordinates and speeds as motors measure them, shape (2, n)."""
+        return np.array([self._q, self._qd])
+
+    @property
     def effort(self) -> Array:
         """Return zeros: nothing drives an ideal arm, shape (n,)."""
         return np.zeros(len(self._q))

@@ -69,6 +69,11 @@ class ServoPlant:
         return self._state.qd
 
     @property
+    def sensed(self) -> Array:
+        """Return coordinates and speeds as motors measure them, before elastic links, shape (2, n)."""
+        return self._state.sensed
+
+    @property
     def effort(self) -> Array:
         """Return the torques of the drives at the joints [N·m | N], shape (n,)."""
         return self._servo.efforts(self._state)

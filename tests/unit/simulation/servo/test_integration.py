@@ -20,7 +20,9 @@ from ropsim.model import (
     RobotModel,
 )
 from ropsim.simulation import Servo, SimulationOptions, simulate
-from ropsim.simulation.servo.integration import (
+from ropsim.simulation.servo.plant_steps import MOST, plant_steps_of, step_cause
+from ropsim.simulation.servo.stiffness import long_step
+from ropsim.simulation.testing import (
     CLASSICAL,
     JOLT,
     driven_way,
@@ -28,8 +30,6 @@ from ropsim.simulation.servo.integration import (
     integration_facts,
     jolt,
 )
-from ropsim.simulation.servo.plant_steps import MOST, plant_steps_of, step_cause
-from ropsim.simulation.servo.stiffness import long_step
 from support.arms import one_axis
 from support.servo_cases import START, CascadeInPython, puma, standing
 
