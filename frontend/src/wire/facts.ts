@@ -38,7 +38,7 @@ export interface IntegrationFacts {
   readonly step: number
   /** What set it. */
   readonly cause: 'longest step' | 'fastest pole' | 'steepest friction' | 'stated' | 'most steps'
-  /** The fastest rate of drives and arm, friction at the largest effort included [1/s]. */
+  /** The fastest rate of drives and arm, friction at the largest effort included, to four digits [1/s]. */
   readonly pole: number
   /**
    * By how much a coordinate differs at most from steps of half the length, rounded up to one digit [rad |

@@ -79,6 +79,10 @@ from ropsim.model.controller import Rates as Rates
 from ropsim.model.controller import ShortLines as ShortLines
 from ropsim.model.controller import Synchronisation as Synchronisation
 from ropsim.model.controller import gain_names as gain_names
+from ropsim.model.drives.ball_screw import BallScrew as BallScrew
+from ropsim.model.drives.ball_screw import lead_of_turn as lead_of_turn
+from ropsim.model.drives.ball_screw import lead_per_turn as lead_per_turn
+from ropsim.model.drives.ball_screw import usual_back_efficiency as usual_back_efficiency
 from ropsim.model.drives.current_loop import CurrentLoopMotor as CurrentLoopMotor
 from ropsim.model.drives.current_loop import LaggingMotor as LaggingMotor
 from ropsim.model.drives.drive import Amplifier as Amplifier

@@ -7,6 +7,7 @@ from ropsim.model import (
     COPPER,
     WRITTEN,
     BacklashGear,
+    BallScrew,
     CurrentLimitedAmplifier,
     CurrentLoopMotor,
     DcMotor,
@@ -29,7 +30,9 @@ from ropsim.model import (
     ThermalDcMotor,
     ValveAmplifier,
     VoltageAmplifier,
+    lead_per_turn,
     pin_at,
+    usual_back_efficiency,
 )
 from ropsim.robotfile.toml_words import number, row, text, unless
 from ropsim.spatial import Pose
@@ -181,6 +184,13 @@ def _gear(drive: Drive) -> dict[str, str]:
     gear = drive.transmission
     if isinstance(gear, Linkage):
         return {}
+    if isinstance(gear, BallScrew):
+        return {
+            "lead": number(lead_per_turn(gear.lead)),
+            "efficiency": unless(gear.efficiency, 1.0),
+            "back_efficiency": unless(gear.back_efficiency, usual_back_efficiency(gear.efficiency)),
+            "screw_inertia": unless(gear.screw_inertia, 0.0),
+        }
     keys = {"ratio": number(gear.ratio)}
     if isinstance(gear, Elastic):
         keys["stiffness"] = number(gear.stiffness)

@@ -9,6 +9,7 @@ from ropsim.dynamics import drive_fault, range_fault
 from ropsim.model import (
     COPPER,
     BacklashGear,
+    BallScrew,
     CurrentLimitedAmplifier,
     CurrentLoopMotor,
     DcMotor,
@@ -22,6 +23,7 @@ from ropsim.model import (
     HydraulicMotor,
     HydraulicVane,
     IdealMotor,
+    JointType,
     LaggingMotor,
     LinkElasticity,
     LoadFriction,
@@ -31,6 +33,8 @@ from ropsim.model import (
     Transmission,
     ValveAmplifier,
     VoltageAmplifier,
+    lead_of_turn,
+    usual_back_efficiency,
 )
 from ropsim.robotfile import diagnostics as kinds
 from ropsim.robotfile.dh_table import DhTable
@@ -44,6 +48,10 @@ _FROM_ZERO = NUMBER.within(0.0, 1e9)
 _PLAY = NUMBER.within(0.0, 1.0)
 _ANGLE = NUMBER.within(-100.0, 100.0)
 _RATIO = NUMBER.within(-1e6, 1e6)
+_LEAD = NUMBER.within(-10.0, 10.0)
+_EFFICIENCY = NUMBER.within(0.01, 1.0)
+_SCREW = ("efficiency", "back_efficiency", "screw_inertia")
+_OF_GEARS = ("ratio", "stiffness", "damping", "backlash")
 CYLINDER = "cylinder"
 _LOW_SPEED, _EXPONENT = ("breakaway", "stribeck_speed"), "stribeck_exponent"
 _BRISTLES = ("bristle_stiffness", "bristle_damping")
@@ -95,6 +103,10 @@ def _drive(table: TomlTable, dh: DhTable, number: int) -> Drive | None:
     transmission, friction = _transmission(table), read_friction(table)
     drive = _KINDS[kind](table, transmission, friction)
     table.finish()
+    if isinstance(transmission, BallScrew) and dh.joints[number].measure is not JointType.PRISMATIC:
+        message = f"`{table.name_of('lead')}` is that of a screw, and joint `{dh.joints[number].name}` turns"
+        hint = "a screw moves a sliding joint; give a `ratio`"
+        table.findings.add(VALUE_OUT_OF_RANGE, table.key_span("lead"), message, hint)
     if isinstance(drive.motor, HydraulicVane) and not table.missing:
         fault = range_fault(drive, dh.joints[number])
         if fault:
@@ -209,6 +221,8 @@ def _vane(table: TomlTable, transmission: Transmission, friction: FrictionLaw) -
 
 
 def _transmission(table: TomlTable) -> Transmission:
+    if table.values.keys() & {"lead", *_SCREW}:
+        return _screw(table)
     ratio = table.number("ratio", _RATIO, 1.0)
     if ratio == 0.0:
         message = f"`{table.name_of('ratio')}` is 0, allowed is any other number"
@@ -221,6 +235,28 @@ def _transmission(table: TomlTable) -> Transmission:
     spring = table.number("stiffness", _POSITIVE, 1.0), table.number("damping", _FROM_ZERO, 0.0)
     backlash = table.number("backlash", _PLAY, 0.0)
     return BacklashGear(ratio, *spring, backlash) if backlash else ElasticGear(ratio, *spring)
+
+
+def _screw(table: TomlTable) -> BallScrew:
+    """Return a ball screw; a key of gears beside its own is reported."""
+    table.require("lead")
+    other = next((key for key in _OF_GEARS if key in table), "")
+    if other and "lead" in table:
+        message = f"`{table.name_of('lead')}` and `{other}` belong to two kinds of transmissions"
+        hint = "a screw has a `lead`, a gear its `ratio`"
+        table.findings.add(CONFLICTING_KEYS, table.key_span(other), message, hint)
+        table.asked.update(dict.fromkeys(_OF_GEARS))
+    turn = table.number("lead", _LEAD, 1.0)
+    if turn == 0.0:
+        message = f"`{table.name_of('lead')}` is 0, allowed is any other number"
+        table.findings.add(kinds.WRONG_RATIO, table.value_span("lead"), message, "in m for a whole turn")
+        turn = 1.0
+    efficiency = table.number("efficiency", _EFFICIENCY, 1.0)
+    usual = usual_back_efficiency(efficiency)
+    if not usual:
+        table.require("back_efficiency")
+    back = table.number("back_efficiency", _EFFICIENCY, usual or 1.0)
+    return BallScrew(lead_of_turn(turn), efficiency, back, table.number("screw_inertia", _FROM_ZERO, 0.0))
 
 
 def _link(table: TomlTable) -> LinkElasticity | None:

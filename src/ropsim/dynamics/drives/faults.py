@@ -5,6 +5,7 @@ from math import inf, isfinite
 
 from ropsim.dynamics.drives.chain import chain_of
 from ropsim.model import (
+    BallScrew,
     Drive,
     GuardedAmplifier,
     Hydraulic,
@@ -63,7 +64,7 @@ def drive_fault(drive: Drive) -> Fault | None:
     if not isinstance(drive.transmission, Linkage) and not 0.0 < abs(drive.transmission.ratio) < inf:
         size = abs(drive.transmission.ratio)
         return "magnitude of `ratio`", f"is `{size}`; it must be positive and finite"
-    if found := _oil_fault(drive) or _link_fault(drive):
+    if found := _oil_fault(drive) or _link_fault(drive) or _screw_fault(drive):
         return found
     if isinstance(drive.motor, ThermalDcMotor) and (found := _thermal_fault(drive.motor)):
         return found
@@ -116,6 +117,19 @@ def _hydraulic_fault(motor: Hydraulic) -> Fault | None:
     if not motor.rotor_inertia >= 0.0:
         name = "moving_mass" if isinstance(motor, HydraulicCylinder) else "rotor_inertia"
         return f"`{name}`", f"is `{motor.rotor_inertia}`; it must be 0 or more"
+    return None
+
+
+def _screw_fault(drive: Drive) -> Fault | None:
+    screw = drive.transmission
+    if not isinstance(screw, BallScrew):
+        return None
+    for name in ("efficiency", "back_efficiency"):
+        value = float(getattr(screw, name))
+        if not 0.0 < value <= 1.0:
+            return f"`{name}`", f"is `{value}`; it must be positive, and 1 at most"
+    if not screw.screw_inertia >= 0.0:
+        return "`screw_inertia`", f"is `{screw.screw_inertia}`; it must be 0 or more"
     return None
 
 

@@ -49,7 +49,7 @@ def reflected_inertia(drive: Drive, q: float) -> float:
     That of the hub before an elastic link is in it.
     """
     ratio = drive.ratio_at(q)
-    rotor = drive.motor.rotor_inertia * ratio * ratio
+    rotor = drive.turning_inertia * ratio * ratio
     return rotor + drive.link.hub_inertia if drive.link else rotor
 
 

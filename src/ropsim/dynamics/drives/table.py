@@ -2,6 +2,7 @@
 
 from ropsim.dynamics.drives.amplifiers import CURRENT_LIMITED, EFFORT, GUARDED, VALVE, VOLTAGE
 from ropsim.dynamics.drives.backlash_gear import BACKLASH_GEAR
+from ropsim.dynamics.drives.ball_screw import BALL_SCREW
 from ropsim.dynamics.drives.block import (
     AmplifierBlock,
     FrictionBlock,
@@ -27,6 +28,7 @@ from ropsim.dynamics.drives.linkage import LINKAGE
 from ropsim.dynamics.drives.thermal_motor import THERMAL_MOTOR
 from ropsim.model import (
     BacklashGear,
+    BallScrew,
     CurrentLimitedAmplifier,
     CurrentLoopMotor,
     DcMotor,
@@ -72,6 +74,7 @@ TRANSMISSIONS: dict[type, TransmissionBlock] = {
     ElasticGear: ELASTIC_GEAR,
     BacklashGear: BACKLASH_GEAR,
     Linkage: LINKAGE,
+    BallScrew: BALL_SCREW,
 }
 LINKS: dict[type, LinkBlock] = {LinkElasticity: LINK_ELASTICITY}
 FRICTIONS: dict[type, FrictionBlock] = {

@@ -4,6 +4,7 @@ from enum import StrEnum
 from math import copysign, inf
 
 from ropsim.core import frozen_dataclass
+from ropsim.model.drives.ball_screw import BallScrew
 from ropsim.model.drives.current_loop import CurrentLoopMotor, LaggingMotor
 from ropsim.model.drives.friction import Friction, FrictionLaw
 from ropsim.model.drives.hydraulics import HydraulicCylinder, HydraulicMotor, HydraulicVane
@@ -151,7 +152,7 @@ Elastic = ElasticGear | BacklashGear
 Amplifier = VoltageAmplifier | CurrentLimitedAmplifier | GuardedAmplifier | EffortAmplifier | ValveAmplifier
 Electric = DcMotor | ThermalDcMotor | CurrentLoopMotor | LaggingMotor | IdealMotor
 Motor = Electric | HydraulicMotor | HydraulicCylinder | HydraulicVane
-Transmission = Gear | Elastic | Linkage
+Transmission = Gear | BallScrew | Elastic | Linkage
 
 
 @frozen_dataclass
@@ -190,7 +191,14 @@ class Drive:
         """Return whether the hub before an elastic link has no inertia: none of its own, none of a rotor."""
         if self.link is None or self.link.hub_inertia:
             return False
-        return isinstance(self.transmission, Elastic) or not self.motor.rotor_inertia
+        return isinstance(self.transmission, Elastic) or not self.turning_inertia
+
+    @property
+    def turning_inertia(self) -> float:
+        """Return the inertia of what turns with the motor, that of a screw included [kg·m² | kg]."""
+        gear = self.transmission
+        screw = gear.screw_inertia if isinstance(gear, BallScrew) else 0.0
+        return self.motor.rotor_inertia + screw
 
     @property
     def sense(self) -> float:

@@ -6,6 +6,7 @@ from math import inf
 from ropsim.model import (
     Amplifier,
     BacklashGear,
+    BallScrew,
     CurrentLimitedAmplifier,
     CurrentLoopMotor,
     DcMotor,
@@ -25,6 +26,7 @@ from ropsim.model import (
     ThermalDcMotor,
     Transmission,
     VoltageAmplifier,
+    usual_back_efficiency,
 )
 from ropsim.nirox.diagnostics import LOST
 from ropsim.nirox.readers.attributes import LARGEST
@@ -188,9 +190,14 @@ def _warm(
     return GuardedAmplifier(*most, seen.real(heat, "max_rise", inf)), made
 
 
-def _transmission(seen: Seen, through: int, pair: int, number: int) -> tuple[Gear | Elastic, float]:
+def _transmission(
+    seen: Seen, through: int, pair: int, number: int
+) -> tuple[Gear | BallScrew | Elastic, float]:
     """Return the gear of a drive and the inertia at its input [kg·m² | kg]."""
     seen.take(through, "gear", number)
+    is_rigid = seen.user(pair, "joint_elasticity", "pair") is None
+    if seen.is_a(through, "screw_transmission") and is_rigid:
+        return _screw(seen, through, number)
     if seen.real(through, "efficiency") < 1.0:
         seen.note(LOST, through, "efficiency has no effect", "load_dependent_friction has")
     if seen.is_a(through, "screw_transmission"):
@@ -208,6 +215,21 @@ def _transmission(seen: Seen, through: int, pair: int, number: int) -> tuple[Gea
         return BacklashGear(ratio, gear.stiffness, gear.damping, backlash), at_input
     seen.note(LOST, through, "backlash of a rigid gear has no effect", "give its stiffness")
     return gear, at_input
+
+
+def _screw(seen: Seen, through: int, number: int) -> tuple[BallScrew, float]:
+    """Return a ball screw with its losses, and the inertia at its input [kg·m²]."""
+    lead, efficiency = _usable(seen, through, "lead"), seen.real(through, "efficiency")
+    entry = seen.user(through, "screw_losses", "screw")
+    if entry is None:
+        back = usual_back_efficiency(efficiency)
+        if not back:
+            words = f"`efficiency` is {efficiency:g}; a screw of 0.5 or less locks itself"
+            raise seen.impossible(through, f"{words}: say what its nut drives in SCREW_LOSSES")
+        return BallScrew(lead, efficiency, back), 0.0
+    seen.take(entry, "gear", number, "losses")
+    back, screw = (seen.real(entry, one) for one in ("back_efficiency", "screw_inertia"))
+    return BallScrew(lead, efficiency, back, screw), seen.real(entry, "input_inertia")
 
 
 def _link(seen: Seen, pair: int, number: int) -> LinkElasticity | None:
