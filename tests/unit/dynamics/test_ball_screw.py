@@ -1,7 +1,7 @@
 """A ball screw against closed forms: acceleration, lifting and lowering, a coasting slide; and in files."""
 
 from dataclasses import replace
-from math import pi
+from math import ceil, pi
 
 import numpy as np
 import pytest
@@ -31,6 +31,7 @@ from ropsim.model import (
 from ropsim.nirox import read_nirox, write_nirox
 from ropsim.robotfile import read_robot_file, write_robot_file
 from ropsim.simulation import Servo
+from ropsim.simulation.servo.plant_steps import STEEPEST_PRODUCT, friction_rates, plant_steps_of
 from ropsim.spatial import Pose
 from support.drives import slopes_of
 from support.servo_cases import quintic
@@ -79,6 +80,16 @@ def test_lifting_and_lowering_take_the_torques_of_the_data_sheet() -> None:
     assert rates(np.array([0.0, FAST]), up)[1] == pytest.approx(0.0, abs=1e-9)
     assert rates(np.array([0.0, -FAST]), down)[1] == pytest.approx(0.0, abs=1e-9)
     assert up > weight / RATIO > down
+
+
+def test_threads_under_the_largest_force_set_the_steps() -> None:
+    """(1/η₂ - 1)·F/v_s over what is moved: a light slide needs shorter ones."""
+    light = replace(DRIVE, motor=IdealMotor(1e-6), transmission=BallScrew(lead_of_turn(LEAD), AHEAD, BACK))
+    robot = slide(light)
+    moved = MASS + 1e-6 * RATIO**2
+    rate = (1.0 / BACK - 1.0) * 50.0 * RATIO / 5e-3 / moved
+    assert friction_rates(robot).rates[0] == pytest.approx(rate, rel=1e-9)
+    assert plant_steps_of(robot, Rates(1000)) == ceil(1e-3 * rate / STEEPEST_PRODUCT) > 2
 
 
 def test_a_braked_slide_stops_as_the_closed_form_says() -> None:

@@ -43,6 +43,11 @@ def _passed(force: Scalar, speed: Scalar, driving: Scalar, braking: Scalar) -> S
     return force - lost
 
 
+def threads_slope(screw: BallScrew, effort: float) -> float:
+    """Return the slope over the speed, at rest, of what threads lose of an effort at the nut [N·s/m]."""
+    return max(1.0 - screw.efficiency, 1.0 / screw.back_efficiency - 1.0) * abs(effort) / SMOOTHING
+
+
 def _rest(screw: BallScrew, q: float, effort: float) -> Steady:
     del q
     return Steady((), effort / screw.ratio)

@@ -1,12 +1,13 @@
 """A drive in a steady state: the command of its controller for an effort at the joint."""
 
 from collections.abc import Sequence
-from math import inf
+from math import inf, isfinite
 from typing import NamedTuple
 
+from ropsim.dynamics.drives.ball_screw import threads_slope
 from ropsim.dynamics.drives.block import Limit, Steepness
 from ropsim.dynamics.drives.chain import chain_of
-from ropsim.model import Drive, InputKind
+from ropsim.model import BallScrew, Drive, InputKind
 
 
 class SteadyDrive(NamedTuple):
@@ -54,9 +55,12 @@ def reflected_inertia(drive: Drive, q: float) -> float:
 
 
 def friction_steepness(drive: Drive, q: float) -> Steepness:
-    """Return how steep the friction of a drive is at rest, as its joint at q sees it."""
-    law = chain_of(drive).friction
-    return law.steepness(drive.friction, drive.ratio_at(q), largest_effort(drive, q))
+    """Return how steep the friction of a drive and its threads is at rest, as its joint at q sees it."""
+    law, effort = chain_of(drive).friction, largest_effort(drive, q)
+    found = law.steepness(drive.friction, drive.ratio_at(q), effort)
+    if isinstance(drive.transmission, BallScrew) and isfinite(effort):
+        return found._replace(slope=found.slope + threads_slope(drive.transmission, effort))
+    return found
 
 
 def command_limit(drive: Drive) -> float:
