@@ -70,7 +70,14 @@ from ropsim.simulation.servo.kept_drives import driven_anew as driven_anew
 from ropsim.simulation.servo.log import LogLayout as LogLayout
 from ropsim.simulation.servo.log import drive_powers as drive_powers
 from ropsim.simulation.servo.plant_code import plant_code as plant_code
+from ropsim.simulation.servo.plant_steps import MOST as MOST
+from ropsim.simulation.servo.plant_steps import STEEPEST_PRODUCT as STEEPEST_PRODUCT
+from ropsim.simulation.servo.plant_steps import fastest_pole as fastest_pole
+from ropsim.simulation.servo.plant_steps import friction_rates as friction_rates
+from ropsim.simulation.servo.plant_steps import plant_steps_of as plant_steps_of
+from ropsim.simulation.servo.plant_steps import step_cause as step_cause
 from ropsim.simulation.servo.state import StateLayout as StateLayout
+from ropsim.simulation.servo.stiffness import long_step as long_step
 from ropsim.simulation.servo.tick_recorder import TickRecorder as TickRecorder
 from ropsim.simulation.state.cell_run import CellRun as CellRun
 from ropsim.simulation.state.clasp import Clasp as Clasp

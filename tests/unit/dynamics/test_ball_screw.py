@@ -9,8 +9,7 @@ from scipy.integrate import solve_ivp
 
 from ropsim import robots
 from ropsim.core import SourceText
-from ropsim.dynamics import chain_of, drive_fault
-from ropsim.dynamics.drives import reflected_inertia
+from ropsim.dynamics import chain_of, drive_fault, reflected_inertia
 from ropsim.model import (
     BallScrew,
     DcMotor,
@@ -31,7 +30,7 @@ from ropsim.model import (
 from ropsim.nirox import read_nirox, write_nirox
 from ropsim.robotfile import read_robot_file, write_robot_file
 from ropsim.simulation import Servo
-from ropsim.simulation.servo.plant_steps import STEEPEST_PRODUCT, friction_rates, plant_steps_of
+from ropsim.simulation.testing import STEEPEST_PRODUCT, friction_rates, plant_steps_of
 from ropsim.spatial import Pose
 from support.drives import slopes_of
 from support.servo_cases import quintic

@@ -27,8 +27,7 @@ from ropsim.model import (
 from ropsim.nirox import read_nirox, write_nirox
 from ropsim.robotfile import read_robot_file, write_robot_file
 from ropsim.simulation import Servo, linear_loop, natural_modes
-from ropsim.simulation.servo.plant_steps import fastest_pole
-from ropsim.simulation.testing import plant_code
+from ropsim.simulation.testing import fastest_pole, plant_code
 from ropsim.spatial import Array
 from support.arms import one_axis
 from support.cylinders import DRIVE, lifted

@@ -20,15 +20,17 @@ from ropsim.model import (
     RobotModel,
 )
 from ropsim.simulation import Servo, SimulationOptions, simulate
-from ropsim.simulation.servo.plant_steps import MOST, plant_steps_of, step_cause
-from ropsim.simulation.servo.stiffness import long_step
 from ropsim.simulation.testing import (
     CLASSICAL,
     JOLT,
+    MOST,
     driven_way,
     integration_error,
     integration_facts,
     jolt,
+    long_step,
+    plant_steps_of,
+    step_cause,
 )
 from support.arms import one_axis
 from support.servo_cases import START, CascadeInPython, puma, standing

@@ -18,8 +18,7 @@ from ropsim.nirox import read_nirox, write_nirox
 from ropsim.robotfile import read_robot_file, write_robot_file
 from ropsim.robots import default_controller
 from ropsim.simulation import Servo
-from ropsim.simulation.servo.plant_steps import fastest_pole
-from ropsim.simulation.testing import drive_powers, plant_code
+from ropsim.simulation.testing import drive_powers, fastest_pole, plant_code
 from ropsim.spatial import Array
 from support.hydraulic_arm import hydraulic_arm, square
 from support.two_link_hydraulic import TASK, two_link_project
