@@ -188,7 +188,7 @@ def _footer(summary: Summary) -> str:
 def _integration(steps: int, way: IntegrationFacts) -> str:
     """Return how drives and arm were integrated."""
     how = f"{way.method} in steps of {digits(way.step * 1e3)} ms, {plural(steps, 'step')} per control tick"
-    why = f"{way.cause.value}; fastest pole {digits(way.pole)} 1/s"
+    why = f"set by: {way.cause.value}; fastest pole {digits(way.pole)} 1/s"
     error = f", error at most {way.error:.0e} rad or m" if math.isfinite(way.error) else ""
     return f"{how} ({why}){error}"
 
