@@ -1,7 +1,10 @@
 """Arms for tests: random chains of revolute and prismatic joints, with or without drives."""
 
+from dataclasses import replace
+
 import numpy as np
 
+from ropsim import robots
 from ropsim.model import (
     DcMotor,
     Drive,
@@ -111,3 +114,11 @@ def potential_energy(robot: RobotModel, q: Array) -> float:
     return -float(
         sum(link.mass * robot.gravity @ centre for link, centre in zip(robot.links, centres, strict=True))
     )
+
+
+def one_axis(drive: Drive, inertia: float) -> RobotModel:
+    """Return an axis without gravity that turns a link of an inertia [kg·m²] by a drive."""
+    robot = robots.load("two_link")
+    link = Link(0.0, np.zeros(3), inertia * np.eye(3))
+    one = replace(robot, joints=robot.joints[:1], links=(link,), drives=(drive,), home=np.zeros(1))
+    return replace(one, axes=(0,), tip=0)

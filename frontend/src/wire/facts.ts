@@ -30,6 +30,23 @@ export interface Destinations {
   readonly reached: number
 }
 
+/** How the equations of drives and arm were integrated. */
+export interface IntegrationFacts {
+  /** Name of the method. */
+  readonly method: string
+  /** The integration step [s]. */
+  readonly step: number
+  /** What set it. */
+  readonly cause: 'longest step' | 'fastest pole' | 'steepest friction' | 'stated' | 'most steps'
+  /** The fastest rate of drives and arm, friction at the largest effort included, to four digits [1/s]. */
+  readonly pole: number
+  /**
+   * By how much a coordinate differs at most from steps of half the length, rounded up to one digit [rad |
+   * m], over a jolt of every axis at the start; null where it was not measured.
+   */
+  readonly error: number | null
+}
+
 /** Name, type and limits of one driven axis. */
 export interface AxisFacts {
   /** Such as `1`. */
@@ -90,6 +107,11 @@ export interface StationFacts {
   readonly interpolation_ticks: number
   /** Integration steps of drives and arm per control tick. */
   readonly plant_steps: number
+  /**
+   * How drives and arm were integrated; null where nothing was: in a kinematic run, and in recordings of
+   * older versions.
+   */
+  readonly integration: IntegrationFacts | null
   /** Short name of the robot. */
   readonly robot: string
   /** Its maker and model. */

@@ -22,7 +22,7 @@ from ropsim.dynamics import (
     trace_loaded_inverse,
     with_rigid_gears,
 )
-from ropsim.model import Drive, Linkage, Mechanism, Payload
+from ropsim.model import BallScrew, Drive, Linkage, Mechanism, Payload
 from ropsim.spatial import Array, frozen, record
 
 _LOAD = 10
@@ -135,6 +135,8 @@ def _numbers(drive: Drive) -> dict[str, float]:
             value = getattr(block, name)
             if isinstance(value, int | float):
                 found.setdefault(name, float(value))
+    if isinstance(gear, BallScrew):
+        found["ratio"] = gear.ratio
     if isinstance(gear, Linkage):
         found |= {"product": gear.product, "squares": gear.squares, "angle": gear.angle}
     return found

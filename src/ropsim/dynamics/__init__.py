@@ -20,6 +20,7 @@ from ropsim.dynamics.diagnostics import LoopError as LoopError
 from ropsim.dynamics.diagnostics import MissingMassError as MissingMassError
 from ropsim.dynamics.diagnostics import ModelNumberError as ModelNumberError
 from ropsim.dynamics.diagnostics import StateShapeError as StateShapeError
+from ropsim.dynamics.drives import SUPPLY as SUPPLY
 from ropsim.dynamics.drives import Carried as Carried
 from ropsim.dynamics.drives import Column as Column
 from ropsim.dynamics.drives import DriveChain as DriveChain
@@ -35,7 +36,9 @@ from ropsim.dynamics.drives import friction_steepness as friction_steepness
 from ropsim.dynamics.drives import least_opening as least_opening
 from ropsim.dynamics.drives import range_fault as range_fault
 from ropsim.dynamics.drives import reflected_inertia as reflected_inertia
+from ropsim.dynamics.drives import shared_supply_fault as shared_supply_fault
 from ropsim.dynamics.drives import steady_drive as steady_drive
+from ropsim.dynamics.drives import supply_groups as supply_groups
 from ropsim.dynamics.effort_limits import effort_limits as effort_limits
 from ropsim.dynamics.effort_rows import EffortRows as EffortRows
 from ropsim.dynamics.effort_rows import effort_rows as effort_rows
@@ -75,5 +78,7 @@ from ropsim.dynamics.traced.loaded_arm import trace_loaded_inverse as trace_load
 from ropsim.dynamics.traced.loaded_arm import trace_loaded_links as trace_loaded_links
 from ropsim.dynamics.traced.traced_arm import trace_arm as trace_arm
 from ropsim.dynamics.traced.traced_drives import Side as Side
+from ropsim.dynamics.traced.traced_drives import at_supplies as at_supplies
 from ropsim.dynamics.traced.traced_drives import sides_of as sides_of
 from ropsim.dynamics.traced.traced_drives import trace_drives as trace_drives
+from ropsim.dynamics.traced.traced_drives import trace_supplies as trace_supplies

@@ -10,7 +10,7 @@ import numpy as np
 
 from ropsim.codegen import Scalar, Tracer, given
 from ropsim.core import frozen_dataclass
-from ropsim.dynamics.drives import DriveChain, chain_of
+from ropsim.dynamics.drives import SUPPLY_SIZE, DriveChain, chain_of, supply_groups, supply_numbers
 from ropsim.dynamics.fastened import (
     CutPlaces,
     Placement,
@@ -56,6 +56,7 @@ class ArmStructure:
         springs: between bodies.
         sprung: (T, P, c) of the coordinate of each spring on one.
         watched: rows of the cuts that determine z; see `kinematics.independent_rows`.
+        supplies: drives at each supply of oil with an accumulator, from 0.
     """
 
     types: tuple[JointType, ...]
@@ -72,6 +73,7 @@ class ArmStructure:
     springs: tuple[SpringPlaces, ...] = ()
     sprung: tuple[tuple[float, ...], ...] = ()
     watched: tuple[int, ...] = ()
+    supplies: tuple[tuple[int, ...], ...] = ()
 
     @property
     def n(self) -> int:
@@ -115,12 +117,14 @@ class TracedNumbers:
         drives: numbers of each drive.
         springs: stiffness, free length and damping of each spring between bodies, then stiffness, rest and
             damping of each one on a coordinate.
+        supplies: numbers of each supply of oil with an accumulator.
     """
 
     base_acceleration: list[Scalar]
     bodies: list[list[Scalar]]
     drives: list[list[Scalar]]
     springs: list[list[Scalar]]
+    supplies: list[list[Scalar]]
 
 
 @lru_cache(maxsize=256)
@@ -133,6 +137,8 @@ def structure_of(robot: Mechanism) -> ArmStructure:
     for step, body in enumerate(step_bodies(robot)):
         fixed.append(np.full(BODY, fill_value=True) if step == tip else body != 0.0)
     always = (True,) * sum(chain.size for chain in drives)
+    supplies, of_springs = supply_groups(robot.drives), spring_numbers(robot) != 0.0
+    given_oil = (True,) * (len(supplies) * SUPPLY_SIZE)
     spread = np.column_stack((tree.T, tree.P, tree.c))
     return ArmStructure(
         types=tree.types,
@@ -143,12 +149,13 @@ def structure_of(robot: Mechanism) -> ArmStructure:
         tip=tip,
         interface=placement_of(X_SM),
         drives=drives,
-        present=(*np.concatenate(fixed).tolist(), *always, *(spring_numbers(robot) != 0.0).tolist()),
+        present=(*np.concatenate(fixed).tolist(), *always, *of_springs.tolist(), *given_oil),
         passive=tree.P.shape[1],
         cuts=cut_places(robot),
         springs=spring_places(robot),
         sprung=sprung_rows(robot),
         watched=independent_rows(robot) if robot.cuts else (),
+        supplies=supplies,
     )
 
 
@@ -162,14 +169,16 @@ def arm_numbers(robot: Mechanism, payload: Payload | None = None) -> Array:
 
     Returns:
         Minus free fall [m/s²], 3; barycentric parameters of the body on each step, 10 each, that at the
-        interface with the payload; the numbers of each drive, block by block; three for each spring.
+        interface with the payload; the numbers of each drive, block by block; three for each spring; those
+        of the supplies of oil.
     """
     tip, _ = interface_step(robot)
     bodies = list(step_bodies(robot))
     if tip != BASE_LINK:
         bodies[tip] = tip_body(robot, payload)
     drives = [np.array(chain_of(drive).numbers(drive)) for drive in robot.drives]
-    return frozen(np.concatenate([-robot.gravity, *bodies, *drives, spring_numbers(robot)]))
+    behind = spring_numbers(robot), supply_numbers(robot.drives)
+    return frozen(np.concatenate([-robot.gravity, *bodies, *drives, *behind]))
 
 
 def traced_numbers(tracer: Tracer, structure: ArmStructure) -> TracedNumbers:
@@ -185,5 +194,7 @@ def split_numbers(structure: ArmStructure, numbers: list[Scalar]) -> TracedNumbe
     for chain in structure.drives:
         drives.append(numbers[first : first + chain.size])
         first += chain.size
-    springs = [numbers[k : k + SPRING] for k in range(first, len(structure.present), SPRING)]
-    return TracedNumbers(numbers[:3], bodies, drives, springs)
+    end = len(structure.present) - SUPPLY_SIZE * len(structure.supplies)
+    springs = [numbers[k : k + SPRING] for k in range(first, end, SPRING)]
+    supplies = [numbers[k : k + SUPPLY_SIZE] for k in range(end, len(structure.present), SUPPLY_SIZE)]
+    return TracedNumbers(numbers[:3], bodies, drives, springs, supplies)

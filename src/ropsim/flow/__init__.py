@@ -22,10 +22,12 @@ from ropsim.flow.facts import AxisType as AxisType
 from ropsim.flow.facts import CalledTask as CalledTask
 from ropsim.flow.facts import Destinations as Destinations
 from ropsim.flow.facts import Fidelity as Fidelity
+from ropsim.flow.facts import IntegrationFacts as IntegrationFacts
 from ropsim.flow.facts import OriginKind as OriginKind
 from ropsim.flow.facts import ParameterOrigin as ParameterOrigin
 from ropsim.flow.facts import RunFacts as RunFacts
 from ropsim.flow.facts import StationFacts as StationFacts
+from ropsim.flow.facts import StepCause as StepCause
 from ropsim.flow.facts import channel_name as channel_name
 from ropsim.flow.facts import prefix_of as prefix_of
 from ropsim.flow.inputs import SLOWEST as SLOWEST

@@ -91,6 +91,37 @@ class CalledTask:
     version: str = ""
 
 
+class StepCause(StrEnum):
+    """What set the integration steps in a control tick."""
+
+    LONGEST = "longest step"
+    POLE = "fastest pole"
+    FRICTION = "steepest friction"
+    STATED = "stated"
+    MOST = "most steps"
+
+
+@frozen_dataclass
+class IntegrationFacts:
+    """How the equations of drives and arm were integrated.
+
+    Attributes:
+        method: name of the method.
+        step: the integration step [s].
+        cause: what set it.
+        pole: the fastest rate of drives and arm, friction at the largest effort included, to four digits
+            [1/s].
+        error: by how much a coordinate differs at most from steps of half the length, rounded up to one digit
+            [rad | m], over a jolt of every axis at the start; NaN where it was not measured.
+    """
+
+    method: str
+    step: float
+    cause: StepCause
+    pole: float
+    error: float = nan
+
+
 @frozen_dataclass
 class StationFacts:
     """One robot with its controller and the program that it ran.
@@ -104,6 +135,8 @@ class StationFacts:
         control_hz: rate of the joint controller [Hz]; NaN where unknown.
         interpolation_ticks: control ticks per interpolation tick.
         plant_steps: integration steps of drives and arm per control tick.
+        integration: how drives and arm were integrated; None where nothing was: in a kinematic run, and in
+            recordings of older versions.
         robot: short name of the robot.
         title: its maker and model.
         axes: of the robot, in the order of the columns of `q`.
@@ -120,6 +153,7 @@ class StationFacts:
     control_hz: float = nan
     interpolation_ticks: int = 1
     plant_steps: int = 1
+    integration: IntegrationFacts | None = None
     robot: str = ""
     title: str = ""
     axes: tuple[AxisFacts, ...] = ()

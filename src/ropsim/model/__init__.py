@@ -89,6 +89,10 @@ from ropsim.model.controller import Rates as Rates
 from ropsim.model.controller import ShortLines as ShortLines
 from ropsim.model.controller import Synchronisation as Synchronisation
 from ropsim.model.controller import gain_names as gain_names
+from ropsim.model.drives.ball_screw import BallScrew as BallScrew
+from ropsim.model.drives.ball_screw import lead_of_turn as lead_of_turn
+from ropsim.model.drives.ball_screw import lead_per_turn as lead_per_turn
+from ropsim.model.drives.ball_screw import usual_back_efficiency as usual_back_efficiency
 from ropsim.model.drives.current_loop import CurrentLoopMotor as CurrentLoopMotor
 from ropsim.model.drives.current_loop import LaggingMotor as LaggingMotor
 from ropsim.model.drives.drive import Amplifier as Amplifier
@@ -116,9 +120,13 @@ from ropsim.model.drives.hydraulics import Hydraulic as Hydraulic
 from ropsim.model.drives.hydraulics import HydraulicCylinder as HydraulicCylinder
 from ropsim.model.drives.hydraulics import HydraulicMotor as HydraulicMotor
 from ropsim.model.drives.hydraulics import HydraulicVane as HydraulicVane
+from ropsim.model.drives.link_elasticity import LinkElasticity as LinkElasticity
 from ropsim.model.drives.linkage import Linkage as Linkage
 from ropsim.model.drives.linkage import Point as Point
 from ropsim.model.drives.linkage import linkage as linkage
+from ropsim.model.drives.supply import ATMOSPHERE as ATMOSPHERE
+from ropsim.model.drives.supply import SEAT as SEAT
+from ropsim.model.drives.supply import HydraulicSupply as HydraulicSupply
 from ropsim.model.drives.thermal_motor import COPPER as COPPER
 from ropsim.model.drives.thermal_motor import GuardedAmplifier as GuardedAmplifier
 from ropsim.model.drives.thermal_motor import ThermalDcMotor as ThermalDcMotor

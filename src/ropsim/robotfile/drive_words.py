@@ -7,6 +7,7 @@ from ropsim.model import (
     COPPER,
     WRITTEN,
     BacklashGear,
+    BallScrew,
     CurrentLimitedAmplifier,
     CurrentLoopMotor,
     DcMotor,
@@ -29,7 +30,9 @@ from ropsim.model import (
     ThermalDcMotor,
     ValveAmplifier,
     VoltageAmplifier,
+    lead_per_turn,
     pin_at,
+    usual_back_efficiency,
 )
 from ropsim.robotfile.toml_words import number, row, text, unless
 from ropsim.spatial import Pose
@@ -79,10 +82,15 @@ def drive_keys(drive: Drive, frames: PinFrames) -> dict[str, str] | None:
             if not isinstance(drive.transmission, Linkage):
                 return None
             keys = _cylinder(most, drive.motor)
-            return keys | _linkage(drive.transmission, frames) | _friction(drive.friction)
+            keys |= _linkage(drive.transmission, frames)
+            return keys | _friction(drive.friction) | _supply(drive) | _link(drive)
         case _:
             return None
-    return keys | _gear(drive) | _friction(drive.friction)
+    return keys | _gear(drive) | _friction(drive.friction) | _supply(drive) | _link(drive)
+
+
+def _supply(drive: Drive) -> dict[str, str]:
+    return {"supply": text(drive.supply.name)} if drive.supply else {}
 
 
 def _dc(motor: DcMotor | ThermalDcMotor | CurrentLoopMotor, most: tuple[float, float]) -> dict[str, str]:
@@ -176,6 +184,13 @@ def _gear(drive: Drive) -> dict[str, str]:
     gear = drive.transmission
     if isinstance(gear, Linkage):
         return {}
+    if isinstance(gear, BallScrew):
+        return {
+            "lead": number(lead_per_turn(gear.lead)),
+            "efficiency": unless(gear.efficiency, 1.0),
+            "back_efficiency": unless(gear.back_efficiency, usual_back_efficiency(gear.efficiency)),
+            "screw_inertia": unless(gear.screw_inertia, 0.0),
+        }
     keys = {"ratio": number(gear.ratio)}
     if isinstance(gear, Elastic):
         keys["stiffness"] = number(gear.stiffness)
@@ -183,6 +198,18 @@ def _gear(drive: Drive) -> dict[str, str]:
     if isinstance(gear, BacklashGear):
         keys["backlash"] = number(gear.backlash)
     return keys
+
+
+def _link(drive: Drive) -> dict[str, str]:
+    """Return the keys of the elasticity of the link that a drive moves; none for a rigid one."""
+    link = drive.link
+    if link is None:
+        return {}
+    return {
+        "link_stiffness": number(link.stiffness),
+        "link_damping": unless(link.damping, 0.0),
+        "hub_inertia": unless(link.hub_inertia, 0.0),
+    }
 
 
 def _friction(law: FrictionLaw) -> dict[str, str]:

@@ -1,13 +1,15 @@
 """The rows of `drives`: amplifier, motor, gear and friction of each joint, in SI units."""
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from math import inf
 from types import MappingProxyType
 
-from ropsim.dynamics import range_fault
+from ropsim.dynamics import drive_fault, range_fault
 from ropsim.model import (
     COPPER,
     BacklashGear,
+    BallScrew,
     CurrentLimitedAmplifier,
     CurrentLoopMotor,
     DcMotor,
@@ -21,7 +23,9 @@ from ropsim.model import (
     HydraulicMotor,
     HydraulicVane,
     IdealMotor,
+    JointType,
     LaggingMotor,
+    LinkElasticity,
     LoadFriction,
     LugreFriction,
     StribeckFriction,
@@ -29,10 +33,13 @@ from ropsim.model import (
     Transmission,
     ValveAmplifier,
     VoltageAmplifier,
+    lead_of_turn,
+    usual_back_efficiency,
 )
 from ropsim.robotfile import diagnostics as kinds
 from ropsim.robotfile.dh_table import DhTable
 from ropsim.robotfile.hydraulics.cylinders import read_cylinder
+from ropsim.robotfile.hydraulics.supplies import read_supplies, with_supplies
 from ropsim.robotfile.hydraulics.valves import HYDRAULIC, VALVE_NEEDED, read_valve
 from ropsim.tomltext import CONFLICTING_KEYS, NUMBER, VALUE_OUT_OF_RANGE, Quantity, TomlTable, read_kind
 
@@ -41,10 +48,16 @@ _FROM_ZERO = NUMBER.within(0.0, 1e9)
 _PLAY = NUMBER.within(0.0, 1.0)
 _ANGLE = NUMBER.within(-100.0, 100.0)
 _RATIO = NUMBER.within(-1e6, 1e6)
+_LEAD = NUMBER.within(-10.0, 10.0)
+_EFFICIENCY = NUMBER.within(0.01, 1.0)
+_SCREW = ("efficiency", "back_efficiency", "screw_inertia")
+_OF_GEARS = ("ratio", "stiffness", "damping", "backlash")
 CYLINDER = "cylinder"
 _LOW_SPEED, _EXPONENT = ("breakaway", "stribeck_speed"), "stribeck_exponent"
 _BRISTLES = ("bristle_stiffness", "bristle_damping")
 _APART = (("load_share", (*_LOW_SPEED, _EXPONENT, *_BRISTLES)), (_EXPONENT, _BRISTLES))
+_LINK, _LINK_DAMPING, _HUB = "link_stiffness", "link_damping", "hub_inertia"
+_STIFF = NUMBER.within(1e-9, 1e12)
 _HEAT = (
     "winding_thermal_resistance",
     "housing_thermal_resistance",
@@ -61,13 +74,20 @@ def read_drives(root: TomlTable, dh: DhTable) -> tuple[Drive, ...]:
     """Return the drives of a file, one per joint; empty without any, or if they are invalid.
 
     Args:
-        root: the file, with the key `drives`.
+        root: the file, with the keys `drives` and `supplies`.
         dh: its joints.
     """
     rows, count = root.tables("drives"), len(dh.joints)
     if rows and len(rows) != count:
         root.wrong_count(("drives",), rows, f"{count}, one per joint")
-    drives = [_drive(row, dh, number) for number, row in enumerate(rows[:count])]
+    links = [_link(row) for row in rows[:count]]
+    supplies = read_supplies(root)
+    names = [row.choice("supply", tuple(supplies), "") if "supply" in row else "" for row in rows[:count]]
+    alone = [
+        _with_link(row, _drive(row, dh, number), link)
+        for number, (row, link) in enumerate(zip(rows[:count], links, strict=True))
+    ]
+    drives = with_supplies(alone, rows[:count], names, supplies)
     for row in rows[count:]:
         row.asked.update(dict.fromkeys(row.values))
     known = tuple(drive for drive in drives if drive is not None)
@@ -83,6 +103,10 @@ def _drive(table: TomlTable, dh: DhTable, number: int) -> Drive | None:
     transmission, friction = _transmission(table), read_friction(table)
     drive = _KINDS[kind](table, transmission, friction)
     table.finish()
+    if isinstance(transmission, BallScrew) and dh.joints[number].measure is not JointType.PRISMATIC:
+        message = f"`{table.name_of('lead')}` is that of a screw, and joint `{dh.joints[number].name}` turns"
+        hint = "a screw moves a sliding joint; give a `ratio`"
+        table.findings.add(VALUE_OUT_OF_RANGE, table.key_span("lead"), message, hint)
     if isinstance(drive.motor, HydraulicVane) and not table.missing:
         fault = range_fault(drive, dh.joints[number])
         if fault:
@@ -197,6 +221,8 @@ def _vane(table: TomlTable, transmission: Transmission, friction: FrictionLaw) -
 
 
 def _transmission(table: TomlTable) -> Transmission:
+    if table.values.keys() & {"lead", *_SCREW}:
+        return _screw(table)
     ratio = table.number("ratio", _RATIO, 1.0)
     if ratio == 0.0:
         message = f"`{table.name_of('ratio')}` is 0, allowed is any other number"
@@ -209,6 +235,64 @@ def _transmission(table: TomlTable) -> Transmission:
     spring = table.number("stiffness", _POSITIVE, 1.0), table.number("damping", _FROM_ZERO, 0.0)
     backlash = table.number("backlash", _PLAY, 0.0)
     return BacklashGear(ratio, *spring, backlash) if backlash else ElasticGear(ratio, *spring)
+
+
+def _screw(table: TomlTable) -> BallScrew:
+    """Return a ball screw; a key of gears beside its own is reported."""
+    table.require("lead")
+    other = next((key for key in _OF_GEARS if key in table), "")
+    if other and "lead" in table:
+        message = f"`{table.name_of('lead')}` and `{other}` belong to two kinds of transmissions"
+        hint = "a screw has a `lead`, a gear its `ratio`"
+        table.findings.add(CONFLICTING_KEYS, table.key_span(other), message, hint)
+        table.asked.update(dict.fromkeys(_OF_GEARS))
+    turn = table.number("lead", _LEAD, 1.0)
+    if turn == 0.0:
+        message = f"`{table.name_of('lead')}` is 0, allowed is any other number"
+        table.findings.add(kinds.WRONG_RATIO, table.value_span("lead"), message, "in m for a whole turn")
+        turn = 1.0
+    efficiency = table.number("efficiency", _EFFICIENCY, 1.0)
+    usual = usual_back_efficiency(efficiency)
+    if not usual:
+        table.require("back_efficiency")
+    back = table.number("back_efficiency", _EFFICIENCY, usual or 1.0)
+    return BallScrew(lead_of_turn(turn), efficiency, back, table.number("screw_inertia", _FROM_ZERO, 0.0))
+
+
+def _link(table: TomlTable) -> LinkElasticity | None:
+    """Return the elasticity of the link that a drive moves; None for a rigid one.
+
+    Args:
+        table: the row, before it is finished.
+    """
+    if _LINK not in table:
+        if table.values.keys() & {_LINK_DAMPING, _HUB}:
+            table.require(_LINK)
+            table.asked.update(dict.fromkeys((_LINK_DAMPING, _HUB)))
+        return None
+    return LinkElasticity(
+        table.number(_LINK, _STIFF, 1.0),
+        table.number(_LINK_DAMPING, _FROM_ZERO, 0.0),
+        table.number(_HUB, _FROM_ZERO, 0.0),
+    )
+
+
+def _with_link(table: TomlTable, drive: Drive | None, link: LinkElasticity | None) -> Drive | None:
+    """Return a drive before an elastic link; one that has nothing to turn its hub is reported.
+
+    Args:
+        table: the row.
+        drive: of the row; None where it is not known.
+        link: of the row; None for a rigid one.
+    """
+    if drive is None or link is None:
+        return drive
+    made = replace(drive, link=link)
+    fault = drive_fault(made) if drive_fault(drive) is None and not table.missing else None
+    if fault:
+        hint = "give `hub_inertia`, of what turns between gear and link, in kg·m²"
+        table.findings.add(VALUE_OUT_OF_RANGE, table.key_span(_LINK), " ".join(fault), hint)
+    return made
 
 
 def read_friction(table: TomlTable) -> FrictionLaw:

@@ -32,6 +32,7 @@ from ropsim.robotfile.frames.writing import (
     spring_sections,
     unwritten_couplings,
 )
+from ropsim.robotfile.hydraulics.supplies import supply_sections
 from ropsim.robotfile.reading import DOWN, read_robot_file
 from ropsim.robotfile.shape_words import shapes_text
 from ropsim.robotfile.toml_words import (
@@ -107,6 +108,7 @@ def write_robot_file(robot: RobotModel) -> WrittenRobot:
         for drive, frames in zip(robot.drives, _pin_frames(robot, table), strict=False)
     ]
     parts += [f"[[drives]]\n{lines(keys)}" for keys in drives if keys and None not in drives]
+    parts += [f"{heading}\n{lines(keys)}" for heading, keys in supply_sections(robot.drives)]
     parts += [f"{heading}\n{lines(keys)}" for heading, keys in spring_sections(robot, table.frames)]
     return _sure(robot, "\n".join(parts), losses)
 
@@ -125,7 +127,12 @@ def _of_frames(robot: RobotModel) -> WrittenRobot:
     }
     all_links = any(link.shapes or link.mass or link.inertia.any() or link.com.any() for link in robot.links)
     parts = [lines(head)]
-    for heading, keys in (*sections(robot), *spring_sections(robot, [Pose() for _ in robot.joints])):
+    supplies = supply_sections(robot.drives)
+    for heading, keys in (
+        *sections(robot),
+        *supplies,
+        *spring_sections(robot, [Pose() for _ in robot.joints]),
+    ):
         if any(keys.values()) or (heading == "[[links]]" and all_links):
             parts.append(f"{heading}\n{lines(keys)}")
     return _sure(robot, "\n".join(parts), tuple(_losses(robot, ())))

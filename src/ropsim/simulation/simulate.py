@@ -8,6 +8,7 @@ from ropsim.flow import JointReference, Recording, RunFacts
 from ropsim.model import ROBOT, ControllerModel, Payload, RobotModel
 from ropsim.simulation.recording.channels import joint_channels
 from ropsim.simulation.servo.checks import check_option
+from ropsim.simulation.servo.integration import integration_facts
 from ropsim.simulation.servo.log import drive_powers
 from ropsim.simulation.servo.servo import Servo
 from ropsim.simulation.station.station_facts import station_facts, with_law
@@ -66,6 +67,7 @@ def simulate(
     check_option("reference.ticks", reference.ticks)
     servo = Servo.build(robot, controller, options.law, options.engine)
     state = servo.initial_state(reference.q[0] if options.start is None else options.start, options.payload)
+    integration = integration_facts(servo, controller.rates, state, options.payload)
     recorder = servo.recorder(state, options.decimation)
     for first in range(0, reference.ticks, options.slice_ticks):
         rows = slice(first, first + options.slice_ticks)
@@ -75,7 +77,8 @@ def simulate(
     log["q_error"] = log["q_ref"] - log["q"]
     log |= drive_powers(robot, log)
     hz = servo.control_hz
-    station = with_law(station_facts(ROBOT, robot, controller, servo.plant_steps), controller, options.law)
+    station = station_facts(ROBOT, robot, controller, servo.plant_steps, integration)
+    station = with_law(station, controller, options.law)
     facts = RunFacts(__version__, record_hz=hz / recorder.decimation, stations=(station,))
     channels = joint_channels(ROBOT, robot, log)
     return Recording(recorder.ticks / hz, channels, (), (), state.tick / hz, facts)

@@ -11,6 +11,7 @@ from ropsim.model import (
     Attribute,
     AuditPlace,
     BacklashGear,
+    BallScrew,
     ElasticGear,
     Gear,
     JointType,
@@ -198,7 +199,8 @@ def test_a_screw_of_a_drive_turns_once_by_its_lead() -> None:
     screw = ("#131=GEAR_TRANSMISSION('g2',1.,1.,0.,$,$,0.)", "#131=SCREW_TRANSMISSION('g2',0.25,1.)")
     robot = read(changed(screw)).robot
     assert robot is not None
-    assert robot.drives[1].transmission == Gear(4.0)
+    assert robot.drives[1].transmission == BallScrew(0.25)
+    assert robot.drives[1].ratio_at(0.0) == 4.0
 
 
 def test_masses_are_turned_from_the_frame_of_the_link_into_that_of_its_joint() -> None:

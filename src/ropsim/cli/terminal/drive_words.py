@@ -4,6 +4,7 @@ from ropsim.cli.terminal.coordinates import shown
 from ropsim.core import plural
 from ropsim.model import (
     BacklashGear,
+    BallScrew,
     CurrentLoopMotor,
     DcMotor,
     Drive,
@@ -41,7 +42,9 @@ def _kind(drive: Drive) -> str:
     gears = "elastic gears" if isinstance(gear, Elastic) else "gears"
     if isinstance(gear, BacklashGear):
         gears = "elastic gears with play"
-    if not isinstance(gear, Elastic | Linkage) and abs(gear.ratio) == 1.0:
+    if isinstance(gear, BallScrew):
+        gears = "ball screws"
+    if not isinstance(gear, BallScrew | Elastic | Linkage) and abs(gear.ratio) == 1.0:
         gears = "directly at the joints"
     match drive.motor:
         case HydraulicCylinder():
@@ -62,7 +65,7 @@ def _kind(drive: Drive) -> str:
 
 def _ratios(drives: list[Drive]) -> str:
     """Return the span of the ratios of gears; empty for linkages, and where motors drive directly."""
-    gears = [one.transmission for one in drives if not isinstance(one.transmission, Linkage)]
+    gears = [one.transmission for one in drives if not isinstance(one.transmission, BallScrew | Linkage)]
     sizes = sorted(abs(one.ratio) for one in gears)
     if not sizes or sizes[-1] == 1.0:
         return ""

@@ -10,8 +10,14 @@ from ropsim.dynamics.drives.chain import DriveChain as DriveChain
 from ropsim.dynamics.drives.chain import chain_of as chain_of
 from ropsim.dynamics.drives.faults import drive_fault as drive_fault
 from ropsim.dynamics.drives.faults import range_fault as range_fault
+from ropsim.dynamics.drives.faults import shared_supply_fault as shared_supply_fault
 from ropsim.dynamics.drives.hydraulics.servo_valve import flow_into as flow_into
 from ropsim.dynamics.drives.hydraulics.servo_valve import least_opening as least_opening
+from ropsim.dynamics.drives.hydraulics.supply import SUPPLY as SUPPLY
+from ropsim.dynamics.drives.hydraulics.supply import SUPPLY_SIZE as SUPPLY_SIZE
+from ropsim.dynamics.drives.hydraulics.supply import supply_groups as supply_groups
+from ropsim.dynamics.drives.hydraulics.supply import supply_numbers as supply_numbers
+from ropsim.dynamics.drives.hydraulics.supply import trace_supply as trace_supply
 from ropsim.dynamics.drives.steady import SteadyDrive as SteadyDrive
 from ropsim.dynamics.drives.steady import command_band as command_band
 from ropsim.dynamics.drives.steady import command_limit as command_limit

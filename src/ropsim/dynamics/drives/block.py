@@ -136,6 +136,8 @@ class MotorBlock:
             for a motor without states, or one whose amplifier does not read it.
         most: `record` to the largest torque at standstill for any input; None if the amplifier alone limits
             it.
+        taken: `(numbers, states)` to the flow that it takes from its supply of oil [m³/s]; None where it is
+            at none.
     """
 
     takes: InputKind
@@ -149,6 +151,7 @@ class MotorBlock:
     power: Callable[[Any, Recorded, Array], Array]
     keeping: Callable[[Numbers, Scalar, Scalar], Scalar] | None = None
     most: Callable[[Any], float] | None = None
+    taken: Callable[[Numbers, Numbers], Scalar] | None = None
 
 
 class Rubbing(NamedTuple):
@@ -240,6 +243,26 @@ class FrictionBlock:
     sliding: Callable[[Numbers, Scalar, Scalar], Rubbing]
     steady: Callable[[Any, float], tuple[float, ...]]
     steepness: Callable[[Any, float, float], Steepness]
+
+
+@frozen_dataclass
+class LinkBlock:
+    """What lies between the drive of a joint and the link that it moves.
+
+    Attributes:
+        numbers: attributes of its record that the formula takes.
+        positive: numbers that must be positive.
+        states: coordinate and speed of the hub.
+        trace: `(numbers, states, coordinate and speed of the joint, effect of the drive on the hub)` to its
+            effect on the joint.
+        hub: `(record, joint coordinate, effort)` to the coordinate of the hub at standstill.
+    """
+
+    numbers: tuple[str, ...]
+    positive: tuple[str, ...]
+    states: tuple[Column, ...]
+    trace: Callable[[Numbers, Numbers, tuple[Scalar, Scalar], Carried], Carried]
+    hub: Callable[[Any, float, float], float]
 
 
 @frozen_dataclass

@@ -1,18 +1,22 @@
 """Faults that make a drive impossible."""
 
+from collections.abc import Sequence
 from math import inf, isfinite
 
 from ropsim.dynamics.drives.chain import chain_of
 from ropsim.model import (
+    BallScrew,
     Drive,
     GuardedAmplifier,
     Hydraulic,
     HydraulicCylinder,
+    HydraulicSupply,
     HydraulicVane,
     Joint,
     JointType,
     Linkage,
     LugreFriction,
+    Motor,
     StribeckFriction,
     ThermalDcMotor,
 )
@@ -22,6 +26,12 @@ Fault = tuple[str, str]
 
 _OPEN = frozenset({"max_effort", "max_current", "max_rise"})
 """Limits that may be infinite."""
+
+MOST_EXPONENT = 1.7
+"""A gas of single atoms that keeps its heat has 5/3."""
+
+SHARED = ("supply_pressure", "return_pressure", "bulk_modulus", "oil_density")
+"""Attributes that drives at one supply have in common."""
 
 
 def drive_fault(drive: Drive) -> Fault | None:
@@ -54,7 +64,7 @@ def drive_fault(drive: Drive) -> Fault | None:
     if not isinstance(drive.transmission, Linkage) and not 0.0 < abs(drive.transmission.ratio) < inf:
         size = abs(drive.transmission.ratio)
         return "magnitude of `ratio`", f"is `{size}`; it must be positive and finite"
-    if isinstance(drive.motor, Hydraulic) and (found := _hydraulic_fault(drive.motor)):
+    if found := _oil_fault(drive) or _link_fault(drive) or _screw_fault(drive):
         return found
     if isinstance(drive.motor, ThermalDcMotor) and (found := _thermal_fault(drive.motor)):
         return found
@@ -87,6 +97,11 @@ def _breakaway_fault(friction: StribeckFriction | LugreFriction) -> Fault | None
     return None
 
 
+def _oil_fault(drive: Drive) -> Fault | None:
+    found = _hydraulic_fault(drive.motor) if isinstance(drive.motor, Hydraulic) else None
+    return found or (_supply_fault(drive.supply, drive.motor) if drive.supply else None)
+
+
 def _hydraulic_fault(motor: Hydraulic) -> Fault | None:
     if not 0.0 <= motor.return_pressure < motor.supply_pressure:
         found = f"is `{motor.return_pressure}`; it must be between 0 and the supply pressure"
@@ -102,6 +117,78 @@ def _hydraulic_fault(motor: Hydraulic) -> Fault | None:
     if not motor.rotor_inertia >= 0.0:
         name = "moving_mass" if isinstance(motor, HydraulicCylinder) else "rotor_inertia"
         return f"`{name}`", f"is `{motor.rotor_inertia}`; it must be 0 or more"
+    return None
+
+
+def _screw_fault(drive: Drive) -> Fault | None:
+    screw = drive.transmission
+    if not isinstance(screw, BallScrew):
+        return None
+    for name in ("efficiency", "back_efficiency"):
+        value = float(getattr(screw, name))
+        if not 0.0 < value <= 1.0:
+            return f"`{name}`", f"is `{value}`; it must be positive, and 1 at most"
+    if not screw.screw_inertia >= 0.0:
+        return "`screw_inertia`", f"is `{screw.screw_inertia}`; it must be 0 or more"
+    return None
+
+
+def _link_fault(drive: Drive) -> Fault | None:
+    link = drive.link
+    if link is None:
+        return None
+    if not 0.0 < link.stiffness < inf:
+        return "`stiffness`", f"of the link is `{link.stiffness}`; it must be positive and finite"
+    for name in ("damping", "hub_inertia"):
+        value = float(getattr(link, name))
+        if not 0.0 <= value < inf:
+            return f"`{name}`", f"of the link is `{value}`; it must be 0 or more, and finite"
+    if drive.has_idle_hub:
+        return "`hub_inertia`", "is `0`; before an elastic link the hub, or a rotor on a rigid gear, has one"
+    return None
+
+
+def _supply_fault(supply: HydraulicSupply, motor: Motor) -> Fault | None:
+    if not isinstance(motor, Hydraulic):
+        return "`supply`", f"is `{supply.name}`; an electric motor has no supply of oil"
+    of, full = f"of the supply `{supply.name}`", motor.supply_pressure
+    for name in ("gas_volume", "precharge", "pump_flow", "line_volume", "pump_band"):
+        value = float(getattr(supply, name))
+        if not 0.0 < value < inf:
+            return f"`{name}`", f"{of} is `{value}`; it must be positive and finite"
+    for name in ("precharge", "pump_band"):
+        value = float(getattr(supply, name))
+        if not value < full:
+            return f"`{name}`", f"{of} is `{value}`; it must be less than the supply pressure, {full}"
+    if not full < supply.relief_pressure < inf:
+        why = f"{of} is `{supply.relief_pressure}`; it must be more than the supply pressure, {full}"
+        return "`relief_pressure`", why
+    if not 1.0 <= supply.exponent <= MOST_EXPONENT:
+        return "`exponent`", f"{of} is `{supply.exponent}`; a gas has 1 to {MOST_EXPONENT:g}"
+    return None
+
+
+def shared_supply_fault(drives: Sequence[Drive]) -> tuple[int, Fault] | None:
+    """Return why drives cannot be at one supply, and the number of the second of them; None where they can.
+
+    Drives at one supply have its pressure, its return and its oil.
+
+    Args:
+        drives: of an arm, each of which can exist.
+    """
+    first: dict[str, tuple[HydraulicSupply, tuple[float, ...]]] = {}
+    for axis, drive in enumerate(drives):
+        motor, supply = drive.motor, drive.supply
+        if not isinstance(motor, Hydraulic) or supply is None:
+            continue
+        oil = tuple(float(getattr(motor, name)) for name in SHARED)
+        known, other = first.setdefault(supply.name, (supply, oil))
+        if supply != known:
+            return axis, ("`supply`", f"`{supply.name}` has other numbers than at another joint")
+        for name, own, theirs in zip(SHARED, oil, other, strict=True):
+            if own != theirs:
+                why = f"is `{own}`; another joint at the supply `{supply.name}` has `{theirs}`"
+                return axis, (f"`{name}`", why)
     return None
 
 

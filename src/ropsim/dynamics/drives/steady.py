@@ -1,19 +1,20 @@
 """A drive in a steady state: the command of its controller for an effort at the joint."""
 
 from collections.abc import Sequence
-from math import inf
+from math import inf, isfinite
 from typing import NamedTuple
 
+from ropsim.dynamics.drives.ball_screw import threads_slope
 from ropsim.dynamics.drives.block import Limit, Steepness
 from ropsim.dynamics.drives.chain import chain_of
-from ropsim.model import Drive, InputKind
+from ropsim.model import BallScrew, Drive, InputKind
 
 
 class SteadyDrive(NamedTuple):
     """Steady state of a drive with a constant effort at a joint.
 
     Attributes:
-        states: of motor, transmission and friction.
+        states: of motor, transmission, friction and hub.
         output: of the amplifier, in the sense of the motor.
         command: of the joint controller; positive drives the joint forward.
     """
@@ -33,24 +34,33 @@ def steady_drive(drive: Drive, q: float, qd: float, effort: float) -> SteadyDriv
         effort: at the joint [N·m | N].
     """
     chain = chain_of(drive)
+    q = chain.link.hub(drive.link, q, effort) if chain.link else q
     gear = chain.transmission.rest(drive.transmission, q, effort)
     speed = drive.ratio_at(q) * qd
     motor = chain.motor.steady(drive.motor, gear.needs, speed)
     rubbed = chain.friction.steady(drive.friction, speed)
     command = drive.sense * motor.needs
-    return SteadyDrive((*motor.states, *gear.states, *rubbed), motor.needs, command)
+    hub = (q, qd) if chain.link else ()
+    return SteadyDrive((*motor.states, *gear.states, *rubbed, *hub), motor.needs, command)
 
 
 def reflected_inertia(drive: Drive, q: float) -> float:
-    """Return J·G² [kg·m² | kg], the inertia of the rotor as the joint at q sees it through a rigid gear."""
+    """Return J·G² [kg·m² | kg], the inertia of the rotor as the joint at q sees it through a rigid gear.
+
+    That of the hub before an elastic link is in it.
+    """
     ratio = drive.ratio_at(q)
-    return drive.motor.rotor_inertia * ratio * ratio
+    rotor = drive.turning_inertia * ratio * ratio
+    return rotor + drive.link.hub_inertia if drive.link else rotor
 
 
 def friction_steepness(drive: Drive, q: float) -> Steepness:
-    """Return how steep the friction of a drive is at rest, as its joint at q sees it."""
-    law = chain_of(drive).friction
-    return law.steepness(drive.friction, drive.ratio_at(q), largest_effort(drive, q))
+    """Return how steep the friction of a drive and its threads is at rest, as its joint at q sees it."""
+    law, effort = chain_of(drive).friction, largest_effort(drive, q)
+    found = law.steepness(drive.friction, drive.ratio_at(q), effort)
+    if isinstance(drive.transmission, BallScrew) and isfinite(effort):
+        return found._replace(slope=found.slope + threads_slope(drive.transmission, effort))
+    return found
 
 
 def command_limit(drive: Drive) -> float:

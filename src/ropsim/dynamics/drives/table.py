@@ -2,9 +2,11 @@
 
 from ropsim.dynamics.drives.amplifiers import CURRENT_LIMITED, EFFORT, GUARDED, VALVE, VOLTAGE
 from ropsim.dynamics.drives.backlash_gear import BACKLASH_GEAR
+from ropsim.dynamics.drives.ball_screw import BALL_SCREW
 from ropsim.dynamics.drives.block import (
     AmplifierBlock,
     FrictionBlock,
+    LinkBlock,
     MotorBlock,
     TransmissionBlock,
 )
@@ -21,10 +23,12 @@ from ropsim.dynamics.drives.hydraulics.motor import HYDRAULIC_MOTOR
 from ropsim.dynamics.drives.hydraulics.vane import HYDRAULIC_VANE
 from ropsim.dynamics.drives.ideal_motor import IDEAL_MOTOR
 from ropsim.dynamics.drives.lagging_motor import LAGGING_MOTOR
+from ropsim.dynamics.drives.link_elasticity import LINK_ELASTICITY
 from ropsim.dynamics.drives.linkage import LINKAGE
 from ropsim.dynamics.drives.thermal_motor import THERMAL_MOTOR
 from ropsim.model import (
     BacklashGear,
+    BallScrew,
     CurrentLimitedAmplifier,
     CurrentLoopMotor,
     DcMotor,
@@ -39,6 +43,7 @@ from ropsim.model import (
     IdealMotor,
     LaggingMotor,
     Linkage,
+    LinkElasticity,
     LoadFriction,
     LugreFriction,
     StribeckFriction,
@@ -69,7 +74,9 @@ TRANSMISSIONS: dict[type, TransmissionBlock] = {
     ElasticGear: ELASTIC_GEAR,
     BacklashGear: BACKLASH_GEAR,
     Linkage: LINKAGE,
+    BallScrew: BALL_SCREW,
 }
+LINKS: dict[type, LinkBlock] = {LinkElasticity: LINK_ELASTICITY}
 FRICTIONS: dict[type, FrictionBlock] = {
     Friction: FRICTION,
     StribeckFriction: STRIBECK_FRICTION,

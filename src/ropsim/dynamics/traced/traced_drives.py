@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ropsim.codegen import Engine, Formula, GivenCode, Scalar, Tracer, maximum, minimum
-from ropsim.dynamics.drives import Carried, Rubbing
-from ropsim.dynamics.structure import ArmStructure, traced_numbers
+from ropsim.dynamics.drives import Carried, Rubbing, trace_supply
+from ropsim.dynamics.structure import ArmStructure, TracedNumbers, traced_numbers
 from ropsim.spatial import Array
 
 
@@ -56,6 +56,44 @@ def trace_drives(
         chain.trace(numbers[k], joints[0][k], joints[1][k], states[k], u[k])
         for k, chain in enumerate(structure.drives)
     ]
+
+
+def at_supplies(
+    structure: ArmStructure, numbers: TracedNumbers, pressures: Sequence[Scalar]
+) -> list[Sequence[Scalar]]:
+    """Return the numbers of the drives at the present pressures of their supplies of oil [Pa].
+
+    Args:
+        structure: of the arm.
+        numbers: of the arm.
+        pressures: of its supplies with accumulators.
+    """
+    found: list[Sequence[Scalar]] = list(numbers.drives)
+    for axes, pressure in zip(structure.supplies, pressures, strict=True):
+        for axis in axes:
+            found[axis] = structure.drives[axis].supplied(found[axis], pressure)
+    return found
+
+
+def trace_supplies(
+    structure: ArmStructure,
+    numbers: TracedNumbers,
+    states: Sequence[Sequence[Scalar]],
+    pressures: Sequence[Scalar],
+) -> list[Scalar]:
+    """Return the rates of the pressures of the supplies with accumulators [Pa/s].
+
+    Args:
+        structure: of the arm.
+        numbers: of the arm.
+        states: of each drive.
+        pressures: of the supplies [Pa].
+    """
+    at, rates = at_supplies(structure, numbers, pressures), []
+    for axes, own, pressure in zip(structure.supplies, numbers.supplies, pressures, strict=True):
+        flows = (structure.drives[axis].taken(at[axis], states[axis]) for axis in axes)
+        rates.append(trace_supply(own, pressure, [flow for flow in flows if flow is not None]))
+    return rates
 
 
 def sides_of(tracer: Tracer, carried: Sequence[Carried]) -> list[Side]:

@@ -65,7 +65,7 @@ def friction_at_joint(drive: Drive, q: float) -> tuple[float, float]:
 def rotor_at_joint(drive: Drive, q: float) -> float:
     """Return the inertia of the rotor at the joint [kg·m² | kg], where that is at q [rad | m]."""
     ratio = drive.ratio_at(q)
-    return drive.motor.rotor_inertia * ratio * ratio
+    return drive.turning_inertia * ratio * ratio
 
 
 def drive_losses(robot: RobotModel) -> Iterable[Diagnostic]:

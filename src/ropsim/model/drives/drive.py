@@ -4,10 +4,13 @@ from enum import StrEnum
 from math import copysign, inf
 
 from ropsim.core import frozen_dataclass
+from ropsim.model.drives.ball_screw import BallScrew
 from ropsim.model.drives.current_loop import CurrentLoopMotor, LaggingMotor
 from ropsim.model.drives.friction import Friction, FrictionLaw
 from ropsim.model.drives.hydraulics import HydraulicCylinder, HydraulicMotor, HydraulicVane
+from ropsim.model.drives.link_elasticity import LinkElasticity
 from ropsim.model.drives.linkage import Linkage
+from ropsim.model.drives.supply import HydraulicSupply
 from ropsim.model.drives.thermal_motor import GuardedAmplifier, ThermalDcMotor
 
 
@@ -149,7 +152,7 @@ Elastic = ElasticGear | BacklashGear
 Amplifier = VoltageAmplifier | CurrentLimitedAmplifier | GuardedAmplifier | EffortAmplifier | ValveAmplifier
 Electric = DcMotor | ThermalDcMotor | CurrentLoopMotor | LaggingMotor | IdealMotor
 Motor = Electric | HydraulicMotor | HydraulicCylinder | HydraulicVane
-Transmission = Gear | Elastic | Linkage
+Transmission = Gear | BallScrew | Elastic | Linkage
 
 
 @frozen_dataclass
@@ -161,12 +164,17 @@ class Drive:
         motor: turns that into torque at its shaft.
         transmission: brings the torque to the joint.
         friction: of motor and gear, on the motor side.
+        supply: of oil with an accumulator, which drives with equal records share; None for one of constant
+            pressure, and of electric motors.
+        link: elasticity of the link that it moves; None for a rigid one.
     """
 
     amplifier: Amplifier
     motor: Motor
     transmission: Transmission
     friction: FrictionLaw = Friction()
+    supply: HydraulicSupply | None = None
+    link: LinkElasticity | None = None
 
     def ratio_at(self, q: float) -> float:
         """Return G = speed of the motor over that of the joint, signed, where the joint is at q [rad | m]."""
@@ -177,6 +185,20 @@ class Drive:
         """Return the angle of the shaft, or by how much the rod is out, where the joint is at q [rad | m]."""
         gear = self.transmission
         return gear.out_at(q) if isinstance(gear, Linkage) else gear.ratio * q
+
+    @property
+    def has_idle_hub(self) -> bool:
+        """Return whether the hub before an elastic link has no inertia: none of its own, none of a rotor."""
+        if self.link is None or self.link.hub_inertia:
+            return False
+        return isinstance(self.transmission, Elastic) or not self.turning_inertia
+
+    @property
+    def turning_inertia(self) -> float:
+        """Return the inertia of what turns with the motor, that of a screw included [kg·m² | kg]."""
+        gear = self.transmission
+        screw = gear.screw_inertia if isinstance(gear, BallScrew) else 0.0
+        return self.motor.rotor_inertia + screw
 
     @property
     def sense(self) -> float:

@@ -249,8 +249,9 @@ def body_findings(
 
 
 def _drive(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]:
-    for block in (drive.amplifier, drive.motor, drive.transmission):
-        for name in (field.name for field in fields(block)):
+    parts = (drive.amplifier, drive.motor, drive.transmission, drive.supply, drive.link)
+    for block in (part for part in parts if part is not None):
+        for name in (field.name for field in fields(block) if field.name != "name"):
             value = getattr(block, name)
             numbers = value if isinstance(value, tuple) else (value,)
             place = place_of(AuditPlace(number, Attribute.DRIVE, name))

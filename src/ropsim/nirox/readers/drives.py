@@ -6,6 +6,7 @@ from math import inf
 from ropsim.model import (
     Amplifier,
     BacklashGear,
+    BallScrew,
     CurrentLimitedAmplifier,
     CurrentLoopMotor,
     DcMotor,
@@ -15,19 +16,22 @@ from ropsim.model import (
     ElasticGear,
     Gear,
     GuardedAmplifier,
+    Hydraulic,
     IdealMotor,
     Joint,
     LaggingMotor,
     Linkage,
+    LinkElasticity,
     Motor,
     ThermalDcMotor,
     Transmission,
     VoltageAmplifier,
+    usual_back_efficiency,
 )
 from ropsim.nirox.diagnostics import LOST
 from ropsim.nirox.readers.attributes import LARGEST
 from ropsim.nirox.readers.frictions import read_friction
-from ropsim.nirox.readers.hydraulics import HYDRAULIC, Linkages, read_hydraulic
+from ropsim.nirox.readers.hydraulics import HYDRAULIC, Linkages, read_hydraulic, read_supply
 from ropsim.nirox.readers.mechanism import Mechanism
 from ropsim.nirox.readers.seen import Seen
 
@@ -102,7 +106,13 @@ def _drive(seen: Seen, linkages: Linkages, train: int, pair: int, number: int) -
     amplifier, motor = _motor(seen, train, at_input, number)
     if isinstance(transmission, Linkage) and seen.user(pair, "joint_elasticity", "pair") is not None:
         seen.note(LOST, through, "what the joint says of elasticity has no effect: oil is what gives way")
-    drive = Drive(amplifier, motor, transmission, read_friction(seen, pair, ratio, number))
+    is_hydraulic = isinstance(motor, Hydraulic)
+    supply = read_supply(seen, seen.ref(train, "driven_by")) if is_hydraulic else None
+    friction = read_friction(seen, pair, ratio, number)
+    drive = Drive(amplifier, motor, transmission, friction, supply, _link(seen, pair, number))
+    if drive.has_idle_hub:
+        words = "`hub_inertia` is 0; before an elastic link the hub, or a rotor on a rigid gear, has one"
+        raise seen.impossible(train, words)
     return drive if linkages.can_be(through, drive, number) else None
 
 
@@ -180,9 +190,14 @@ def _warm(
     return GuardedAmplifier(*most, seen.real(heat, "max_rise", inf)), made
 
 
-def _transmission(seen: Seen, through: int, pair: int, number: int) -> tuple[Gear | Elastic, float]:
+def _transmission(
+    seen: Seen, through: int, pair: int, number: int
+) -> tuple[Gear | BallScrew | Elastic, float]:
     """Return the gear of a drive and the inertia at its input [kg·m² | kg]."""
     seen.take(through, "gear", number)
+    is_rigid = seen.user(pair, "joint_elasticity", "pair") is None
+    if seen.is_a(through, "screw_transmission") and is_rigid:
+        return _screw(seen, through, number)
     if seen.real(through, "efficiency") < 1.0:
         seen.note(LOST, through, "efficiency has no effect", "load_dependent_friction has")
     if seen.is_a(through, "screw_transmission"):
@@ -200,6 +215,30 @@ def _transmission(seen: Seen, through: int, pair: int, number: int) -> tuple[Gea
         return BacklashGear(ratio, gear.stiffness, gear.damping, backlash), at_input
     seen.note(LOST, through, "backlash of a rigid gear has no effect", "give its stiffness")
     return gear, at_input
+
+
+def _screw(seen: Seen, through: int, number: int) -> tuple[BallScrew, float]:
+    """Return a ball screw with its losses, and the inertia at its input [kg·m²]."""
+    lead, efficiency = _usable(seen, through, "lead"), seen.real(through, "efficiency")
+    entry = seen.user(through, "screw_losses", "screw")
+    if entry is None:
+        back = usual_back_efficiency(efficiency)
+        if not back:
+            words = f"`efficiency` is {efficiency:g}; a screw of 0.5 or less locks itself"
+            raise seen.impossible(through, f"{words}: say what its nut drives in SCREW_LOSSES")
+        return BallScrew(lead, efficiency, back), 0.0
+    seen.take(entry, "gear", number, "losses")
+    back, screw = (seen.real(entry, one) for one in ("back_efficiency", "screw_inertia"))
+    return BallScrew(lead, efficiency, back, screw), seen.real(entry, "input_inertia")
+
+
+def _link(seen: Seen, pair: int, number: int) -> LinkElasticity | None:
+    """Return the elasticity of the link that a drive moves; None for a rigid one."""
+    entry = seen.user(pair, "link_elasticity", "pair")
+    if entry is None:
+        return None
+    seen.take(entry, "link elasticity", number)
+    return LinkElasticity(*(seen.real(entry, one) for one in ("stiffness", "damping", "hub_inertia")))
 
 
 def _usable(seen: Seen, number: int, name: str) -> float:

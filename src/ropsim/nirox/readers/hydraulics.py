@@ -8,6 +8,7 @@ from ropsim.model import (
     Drive,
     HydraulicCylinder,
     HydraulicMotor,
+    HydraulicSupply,
     HydraulicVane,
     Joint,
     JointType,
@@ -33,7 +34,8 @@ def read_hydraulic(
     """Return a hydraulic motor or cylinder with the numbers of its valve and of the supply of that."""
     supply = seen.ref(valve, "supply")
     seen.take(valve, "amplifier", number)
-    seen.take(supply, "amplifier", number, "supply")
+    if seen.user(supply, "hydraulic_accumulator", "supply") is None:
+        seen.take(supply, "amplifier", number, "supply")
     if seen.real(valve, "hysteresis") or seen.has(valve, "max_slew"):
         seen.note(LOST, valve, "hysteresis and `max_slew` have no effect")
     most = seen.real(valve, "max_input")
@@ -71,6 +73,27 @@ def read_hydraulic(
         **common,
     )
     return ValveAmplifier(most), made
+
+
+def read_supply(seen: Seen, valve: int) -> HydraulicSupply | None:
+    """Return the supply with an accumulator that a valve is at; None for one of constant pressure."""
+    supply = seen.ref(valve, "supply")
+    entry = seen.user(supply, "hydraulic_accumulator", "supply")
+    if entry is None:
+        return None
+    name = seen.text(supply, "name")
+    seen.take(supply, "supply", name)
+    seen.take(entry, "supply", name, "accumulator")
+    numbers = (
+        "gas_volume",
+        "precharge",
+        "pump_flow",
+        "line_volume",
+        "relief_pressure",
+        "pump_band",
+        "exponent",
+    )
+    return HydraulicSupply(name, **{one: seen.real(entry, one) for one in numbers})
 
 
 def _null_flow(seen: Seen, valve: int, number: int) -> float:

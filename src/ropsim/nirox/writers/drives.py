@@ -6,6 +6,7 @@ from math import inf
 from ropsim.core import Diagnostic
 from ropsim.model import (
     BacklashGear,
+    BallScrew,
     CurrentLimitedAmplifier,
     CurrentLoopMotor,
     DcMotor,
@@ -25,6 +26,7 @@ from ropsim.model import (
     ThermalDcMotor,
     ValveAmplifier,
     VoltageAmplifier,
+    usual_back_efficiency,
 )
 from ropsim.nirox.building import UNSET, Building, bounded
 from ropsim.nirox.diagnostics import LOST
@@ -45,6 +47,10 @@ def write_drives(building: Building, robot: RobotModel) -> None:
         if drive is not None:
             _drive_train(building, robot, number, drive)
             write_friction(building, number, drive.friction)
+            if drive.link is not None:
+                numbers = (drive.link.stiffness, drive.link.damping, drive.link.hub_inertia)
+                pair = building.at(("pair", number))
+                building.add(("link elasticity", number), "LINK_ELASTICITY", pair, *map(float, numbers))
         motion = (inf, inf, inf) if drive else (joint.max_speed, joint.max_acceleration, joint.max_jerk)
         limits = (*motion, joint.max_effort)
         if any(one != inf for one in limits):
@@ -93,11 +99,26 @@ def _drive_train(building: Building, robot: RobotModel, number: int, drive: Driv
     motor, amplifier = _motor(building, number, joint.name, drive)
     if isinstance(gear, Linkage):
         through = write_linkage(building, robot, number, gear)
+    elif isinstance(gear, BallScrew):
+        through = _screw(building, number, joint.name, drive, gear)
     else:
         through = _gear(building, number, joint.name, drive, gear)
     limits = map(bounded, (joint.max_speed, joint.max_acceleration, joint.max_jerk))
     ends = building.at(("pair", number)), motor, through, amplifier
     building.add(("drive", number), "DRIVE_TRAIN", f"drive {joint.name}", *ends, *limits, ())
+
+
+def _screw(building: Building, number: int, name: str, drive: Drive, screw: BallScrew) -> Reference:
+    """Make a ball screw, with the inertia of a rotor that the motor has no place for."""
+    bare = isinstance(drive.motor, IdealMotor | LaggingMotor)
+    rotor = drive.motor.rotor_inertia if bare else 0.0
+    values = (f"screw {name}", float(screw.lead), float(screw.efficiency))
+    made = building.add(("gear", number), "SCREW_TRANSMISSION", *values)
+    unusual = screw.back_efficiency != usual_back_efficiency(screw.efficiency)
+    if rotor or screw.screw_inertia or unusual:
+        losses = map(float, (screw.back_efficiency, screw.screw_inertia, rotor))
+        building.add(("gear", number, "losses"), "SCREW_LOSSES", made, *losses)
+    return made
 
 
 def _gear(building: Building, number: int, name: str, drive: Drive, gear: Gear | Elastic) -> Reference:
@@ -115,7 +136,7 @@ def _motor(building: Building, number: int, name: str, drive: Drive) -> tuple[Re
     """Return the motor of a drive, and the amplifier where it says more than its voltage and current."""
     key, motor, amplifier = ("motor", number), drive.motor, drive.amplifier
     if isinstance(motor, Hydraulic):
-        return write_hydraulic(building, number, name, motor)
+        return write_hydraulic(building, number, name, motor, drive.supply)
     if isinstance(motor, ThermalDcMotor) and isinstance(amplifier, GuardedAmplifier):
         made = _dc_motor(building, number, name, motor, (amplifier.max_voltage, amplifier.max_current))
         bodies = (motor.winding_thermal_resistance, motor.housing_thermal_resistance)

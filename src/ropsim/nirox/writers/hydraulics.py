@@ -4,18 +4,31 @@ from ropsim.model import (
     WRITTEN,
     Hydraulic,
     HydraulicCylinder,
+    HydraulicSupply,
     HydraulicVane,
     Linkage,
     RobotModel,
     carrier_frame,
     pin_at,
 )
-from ropsim.nirox.building import UNSET, Building, reals
+from ropsim.nirox.building import UNSET, Building, Key, reals
 from ropsim.part21 import Reference, Value
 from ropsim.spatial import Pose
 
+_ACCUMULATOR = (
+    "gas_volume",
+    "precharge",
+    "pump_flow",
+    "line_volume",
+    "relief_pressure",
+    "pump_band",
+    "exponent",
+)
 
-def write_hydraulic(building: Building, number: int, name: str, motor: Hydraulic) -> tuple[Reference, Value]:
+
+def write_hydraulic(
+    building: Building, number: int, name: str, motor: Hydraulic, shared: HydraulicSupply | None
+) -> tuple[Reference, Value]:
     """Make a hydraulic motor or cylinder and its valve, with the supply of that.
 
     Args:
@@ -23,13 +36,14 @@ def write_hydraulic(building: Building, number: int, name: str, motor: Hydraulic
         number: of the joint.
         name: of the joint.
         motor: to be written.
+        shared: supply with an accumulator that it is at; None for one of constant pressure.
 
     Returns:
         The motor and the valve.
     """
     pressures = (motor.supply_pressure, motor.return_pressure, motor.bulk_modulus, motor.oil_density)
     key = ("amplifier", number)
-    supply = building.add((*key, "supply"), "HYDRAULIC_SUPPLY", f"supply {name}", *map(float, pressures))
+    supply = _supply(building, key, name, tuple(map(float, pressures)), shared)
     flow = (motor.rated_flow, motor.rated_pressure_drop, motor.rated_input)
     spool = (motor.natural_frequency, motor.damping_ratio, motor.overlap, 0.0)
     valve = building.add(key, "SERVO_VALVE", f"valve {name}", supply, *map(float, (*flow, *spool)), UNSET)
@@ -50,6 +64,21 @@ def write_hydraulic(building: Building, number: int, name: str, motor: Hydraulic
         building.add(("motor", number, "vane"), "VANE_CHAMBERS", made, *chambers)
         return made, valve
     return building.add(("motor", number), keyword, label, *map(float, sizes)), valve
+
+
+def _supply(
+    building: Building,
+    key: Key,
+    name: str,
+    pressures: tuple[float, ...],
+    shared: HydraulicSupply | None,
+) -> Reference:
+    if shared is None:
+        return building.add((*key, "supply"), "HYDRAULIC_SUPPLY", f"supply {name}", *pressures)
+    made = building.add(("supply", shared.name), "HYDRAULIC_SUPPLY", shared.name, *pressures)
+    numbers = (float(getattr(shared, one)) for one in _ACCUMULATOR)
+    building.add(("supply", shared.name, "accumulator"), "HYDRAULIC_ACCUMULATOR", made, *numbers)
+    return made
 
 
 def _middle_volume(motor: HydraulicVane) -> float:

@@ -150,6 +150,24 @@ running away, or refill a chamber, the drive of the model has none; a higher ret
 """,
 )
 
+SUPPLY_DRAINED = define(
+    "S755",
+    "supply-drained",
+    Severity.WARNING,
+    "a supply of oil has less than its accumulator is precharged to, or than its return",
+    """
+Valves take more oil from a supply than its pump gives, and what its accumulator had stored is used up. Below
+the precharge of the gas no oil is left in the accumulator: nothing but the pump and a little oil in the line
+holds the pressure, which then falls within milliseconds and comes back as quickly. Below the pressure of the
+return the oil runs backwards through open valves, and drives brake or push the wrong way. The simulation goes
+on by the same equations; what it says of the axes at this supply from then on is that of a plant that has
+too little oil.
+
+**How to mend it.** Move fewer axes at once or more slowly on the line that is named, or give the supply in
+the robot file a greater `pump_flow` or `gas_volume`, or a lower `precharge`.
+""",
+)
+
 SLOWER_THAN_PROGRAMMED = define(
     "S727",
     "slower-than-programmed",

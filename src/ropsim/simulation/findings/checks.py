@@ -9,12 +9,13 @@ from ropsim.simulation.findings.finished_station import FinishedStation
 from ropsim.simulation.findings.load_findings import load_findings
 from ropsim.simulation.findings.settling import settling_findings
 from ropsim.simulation.findings.slow_lines import slow_lines
-from ropsim.simulation.findings.torn_oil import torn_oil
+from ropsim.simulation.findings.torn_oil import drained_supplies, torn_oil
 from ropsim.simulation.findings.verdicts import verdicts
 
 CHECKS: tuple[Callable[[FinishedStation], tuple[Diagnostic, ...]], ...] = (
     verdicts,
     torn_oil,
+    drained_supplies,
     load_findings,
     settling_findings,
     slow_lines,

@@ -260,8 +260,9 @@ def _fidelity(run: CellRun, options: RunOptions) -> Fidelity:
 def _station_facts(run: CellRun, name: str, program: Program | None, options: RunOptions) -> StationFacts:
     station = run.cell.stations[name]
     skipped = sum(isinstance(event, SkipEvent) and event.station == name for event in run.events)
-    steps = run.stations[name].plant.plant_steps
-    facts = replace(station_facts(name, station.robot, station.controller, steps), skipped_moves=skipped)
+    plant = run.stations[name].plant
+    facts = station_facts(name, station.robot, station.controller, plant.plant_steps, plant.integration)
+    facts = replace(facts, skipped_moves=skipped)
     if program is not None:
         called = tuple(CalledTask(one.procedure, one.source, one.version) for one in program.libraries)
         facts = replace(

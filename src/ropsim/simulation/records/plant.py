@@ -4,7 +4,7 @@ from typing import Protocol
 
 import numpy as np
 
-from ropsim.flow import JointReference
+from ropsim.flow import IntegrationFacts, JointReference
 from ropsim.model import Payload
 from ropsim.simulation.records.tally import Tally
 from ropsim.spatial import Array
@@ -27,6 +27,11 @@ class Plant(Protocol):
         ...
 
     @property
+    def sensed(self) -> Array:
+        """Return coordinates and speeds as motors measure them, before elastic links, shape (2, n)."""
+        ...
+
+    @property
     def effort(self) -> Array:
         """Return the torques of the drives at the joints [N·m | N], shape (n,); 0 without drives."""
         ...
@@ -43,6 +48,11 @@ class Plant(Protocol):
     @property
     def plant_steps(self) -> int:
         """Return the integration steps of drives and arm per control tick; 1 where nothing is integrated."""
+        ...
+
+    @property
+    def integration(self) -> IntegrationFacts | None:
+        """Return how drives and arm are integrated; None where nothing is."""
         ...
 
     @property

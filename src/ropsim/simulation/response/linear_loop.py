@@ -218,8 +218,9 @@ class _Seen:
 
     def frame(self, x: Array) -> Array:
         """Return true values by rows, shape (r, n)."""
-        n, found = self.robot.n, np.zeros((len(self.late), self.robot.n))
-        found[0], found[1] = x[:n], x[list(self.layout.measured_speeds)]
+        found = np.zeros((len(self.late), self.robot.n))
+        found[0] = x[list(self.layout.measured_coordinates)]
+        found[1] = x[list(self.layout.measured_speeds)]
         at_rest, u = self.rest
         efforts(self.robot, np.concatenate((x, at_rest[len(x) :])), u, found[2])
         for row, places in enumerate(self.layout.sensed(self.law.traits.sensed), start=4):

@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from ropsim.controller import LAW_DOES_NOT_FIT, CompiledLaw, LawError, LawTraits
 from ropsim.core import did_you_mean
-from ropsim.dynamics import chain_of, drive_fault, range_fault
+from ropsim.dynamics import chain_of, drive_fault, range_fault, shared_supply_fault
 from ropsim.flow import JointReference
 from ropsim.model import Cell, Rates, RobotModel
 from ropsim.simulation.servo.diagnostics import (
@@ -46,8 +46,11 @@ def check_drives(robot: RobotModel) -> None:
     """
     if len(robot.drives) != robot.n:
         raise _no_drives(robot)
-    for joint, drive in zip(robot.axis_joints, robot.drives, strict=True):
+    shared = shared_supply_fault(robot.drives)
+    for axis, (joint, drive) in enumerate(zip(robot.axis_joints, robot.drives, strict=True)):
         found = drive_fault(drive) or range_fault(drive, joint)
+        if found is None and shared is not None and shared[0] == axis:
+            found = shared[1]
         if found:
             message = f"{found[0]} of the drive of joint `{joint.name}` {found[1]}"
             raise DriveDataError(BAD_DRIVE.at(None, message, hint="look at the drive data of the model"))

@@ -126,6 +126,25 @@ correct the friction.
 """,
 )
 
+LONG_STEP = define(
+    "S710",
+    "integration-step-too-long",
+    Severity.WARNING,
+    "the integration step is too long for the fastest pole of drives and arm",
+    """
+Drives and arm are integrated in fixed Runge-Kutta steps of fourth order, which are stable while the product
+of the step and the fastest pole stays below 2.785. Where no steps are stated, there are as many in a control
+tick as the fastest pole needs, but at most 100: beyond that a pole is one of an error in the data more often
+than of a machine. The state then grows without bound (S701), or rattles about where it should be.
+
+A stiff gear with next to no inertia on one of its sides makes such a pole, and so do a small chamber of stiff
+oil, a winding with next to no inductance, and `plant_steps` that are stated and too few.
+
+**How to mend it.** Leave `plant_steps` out, or state as many as the hint says; else correct the stiffness or
+the inertia: a spring that is ten times as stiff as the structure around it is as good as rigid.
+""",
+)
+
 BAD_REFERENCE = define(
     "S702",
     "reference-shape-mismatch",

@@ -181,7 +181,7 @@ def _first(robot: RobotModel, layout: StateLayout, values: Array) -> str:
             value = values[place][bad[0]]
             why = f"is {value:.3g}" if np.isfinite(value) else "is not finite any more"
             return f"the {name} of joint `{robot.axis_joints[axes[int(bad[0])]].name}` {why}"
-    return "the state is not finite any more"
+    return "the pressure of a supply of oil is not finite any more"
 
 
 def _rows(place: slice, n: int) -> list[slice]:

@@ -6,7 +6,14 @@ import numpy as np
 
 from ropsim.codegen import Engine
 from ropsim.controller import LawTraits
-from ropsim.dynamics import SteadyDrive, closed_coordinates, compiled, steady_drive, structure_of
+from ropsim.dynamics import (
+    SteadyDrive,
+    closed_coordinates,
+    compiled,
+    steady_drive,
+    structure_of,
+    supply_groups,
+)
 from ropsim.model import BacklashGear, Drive, ElasticGear, Hydraulic, Payload, RobotModel
 from ropsim.simulation.servo.state import StateLayout
 from ropsim.spatial import Array
@@ -17,9 +24,7 @@ SMALL = 1e-6
 
 def held_drives(robot: RobotModel, q: Array, payload: Payload) -> tuple[SteadyDrive, ...]:
     """Return the drives of an arm that holds itself and its load at rest; arguments as in `held_state`."""
-    rest, tau = np.zeros(robot.n), np.empty(robot.n)
-    # a single evaluation: plain Python is faster than compiling it
-    compiled(robot, payload, Engine.PYTHON).rigid_inverse(q, rest, rest, np.zeros(6), tau)
+    tau = _holding(robot, q, payload)
     places = zip(robot.drives, np.asarray(q, np.float64).tolist(), tau.tolist(), strict=True)
     return tuple(steady_drive(drive, place, 0.0, effort) for drive, place, effort in places)
 
@@ -40,6 +45,7 @@ def held_state(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Ar
     for axis, held in enumerate(held_drives(robot, q, payload)):
         x[list(layout.drive(axis))] = held.states
         u[axis] = held.output
+    x[layout.supplies] = full_supplies(robot)
     return x, u
 
 
@@ -48,6 +54,42 @@ def remember_chains(traits: LawTraits, memory: Array, passive: Array) -> None:
     if traits.chain_row is not None:
         first = traits.chain_row * memory.shape[1]
         memory.reshape(-1)[first : first + len(passive)] = passive
+
+
+def sagging(robot: RobotModel, q: Array, payload: Payload) -> Array:
+    """Return where the links of an arm rest whose motors hold it at coordinates [rad | m], shape (n,).
+
+    Behind an elastic link of stiffness k a joint is at h - τ/k, where h is the coordinate of its hub, and τ
+    holds the arm there.
+
+    Args:
+        robot: with drives.
+        q: coordinates that the motors hold [rad | m], shape (n,).
+        payload: tool and part.
+    """
+    softness = np.array([1.0 / one.link.stiffness if one.link else 0.0 for one in robot.drives])
+    at = np.array(q, np.float64)
+    for _ in range(_SAGS if softness.any() else 0):
+        at = q - softness * _holding(robot, at, payload)
+    return at
+
+
+_SAGS = 30
+"""Steps in which a sag is found: each is as small against the one before as it is against the arm."""
+
+
+def _holding(robot: RobotModel, q: Array, payload: Payload) -> Array:
+    """Return the efforts that hold an arm at rest [N·m | N], shape (n,)."""
+    rest, tau = np.zeros(robot.n), np.empty(robot.n)
+    # a single evaluation: plain Python is faster than compiling it
+    compiled(robot, payload, Engine.PYTHON).rigid_inverse(q, rest, rest, np.zeros(6), tau)
+    return tau
+
+
+def full_supplies(robot: RobotModel) -> Array:
+    """Return the pressures at which the pumps of supplies with accumulators stand still [Pa]."""
+    firsts = (robot.drives[axes[0]].motor for axes in supply_groups(robot.drives))
+    return np.array([motor.supply_pressure for motor in firsts if isinstance(motor, Hydraulic)])
 
 
 def without_dead_zones(robot: RobotModel) -> RobotModel:

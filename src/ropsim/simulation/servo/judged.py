@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from ropsim.dynamics import DriveChain, Limit, LimitSort, chain_of, structure_of
-from ropsim.model import RobotModel
+from ropsim.dynamics import SUPPLY, DriveChain, Limit, LimitSort, chain_of, structure_of
+from ropsim.model import Drive, Hydraulic, RobotModel
 from ropsim.simulation.records.fields import Field
 from ropsim.simulation.servo.log import REFERENCE_COLUMNS, LogLayout, floors
 from ropsim.spatial import Array
@@ -36,6 +36,36 @@ def drive_limits(robot: RobotModel) -> dict[Limit, list[int]]:
         for limit in chain.amplifier.limits:
             found.setdefault(limit, []).append(k)
     return found
+
+
+def limit_values(robot: RobotModel) -> Array:
+    """Return `full_values` and behind them `least_values`, shape (2·w,)."""
+    return np.concatenate((full_values(robot), least_values(robot)))
+
+
+def least_values(robot: RobotModel) -> Array:
+    """Return what quantities of drives cannot be below, shape (w,); -inf for others.
+
+    A supply with an accumulator is to stay above what it is precharged to, and above the return. They stand
+    where the quantities are in a row of the log.
+    """
+    chains = structure_of(robot).drives
+    log = LogLayout.of(chains)
+    values = np.full(log.width, -np.inf)
+    for name, least in floors(chains).items():
+        field = log.field(name)
+        values[field.place] = least
+        if name == SUPPLY.name:
+            values[field.place] = [supply_floor(robot.drives[axis]) for axis in field.axes]
+    return values
+
+
+def supply_floor(drive: Drive) -> float:
+    """Return the pressure that the supply of a drive is to stay above [Pa]."""
+    motor, supply = drive.motor, drive.supply
+    if supply is None or not isinstance(motor, Hydraulic):
+        return -np.inf
+    return max(supply.precharge, motor.return_pressure)
 
 
 def full_values(robot: RobotModel) -> Array:

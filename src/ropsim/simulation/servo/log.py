@@ -6,7 +6,7 @@ from math import inf
 import numpy as np
 
 from ropsim.core import frozen_dataclass
-from ropsim.dynamics import Column, DriveChain, structure_of
+from ropsim.dynamics import SUPPLY, Column, DriveChain, structure_of
 from ropsim.model import RobotModel
 from ropsim.simulation.records.fields import Field, fields
 from ropsim.spatial import Array
@@ -54,8 +54,9 @@ class LogLayout:
 
 
 def recorded(chain: DriveChain) -> tuple[Column, ...]:
-    """Return the recorded columns of a drive: its states and the output of its amplifier."""
-    return (*chain.states, chain.amplifier.output)
+    """Return the recorded columns of a drive: its states, the output of its amplifier, and its supply."""
+    own = (*chain.states, chain.amplifier.output)
+    return (*own, SUPPLY) if chain.is_supplied else own
 
 
 def floors(chains: tuple[DriveChain, ...]) -> dict[str, float]:

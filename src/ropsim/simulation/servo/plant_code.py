@@ -9,10 +9,12 @@ from ropsim.codegen import Engine, Formula, GivenCode, Scalar, SourceFunction, T
 from ropsim.controller import LawTraits
 from ropsim.core import frozen_dataclass
 from ropsim.dynamics import (
+    SUPPLY,
     ArmStructure,
     Carried,
     LoopState,
     arm_numbers,
+    at_supplies,
     chain_acceleration_code,
     chain_numbers,
     motion_code,
@@ -22,6 +24,7 @@ from ropsim.dynamics import (
     trace_arm,
     trace_drives,
     trace_forward,
+    trace_supplies,
     traced_numbers,
 )
 from ropsim.model import RobotModel
@@ -103,6 +106,7 @@ class _Traced:
         outside: efforts at the axes from outside; empty where nothing exerts them.
         outputs: output of the amplifiers for a command.
         carried: effect of each drive on its joint.
+        supplies: rates of the pressures of supplies with accumulators.
     """
 
     tracer: Tracer
@@ -112,19 +116,23 @@ class _Traced:
     outside: list[Scalar]
     outputs: list[Scalar]
     carried: list[Carried]
+    supplies: list[Scalar]
 
     @classmethod
     def of(cls, tracer: Tracer, structure: ArmStructure, outside_rows: int = 0) -> "_Traced":
         n, chains = structure.n, structure.drives
         layout = StateLayout.of(structure, LawTraits(), 0, outside_rows)
-        numbers = traced_numbers(tracer, structure).drives
+        arm = traced_numbers(tracer, structure)
         x = tracer.variables("x", layout.integrated)
         command, given = tracer.variables("command", n), tracer.variables("u", (1 + outside_rows) * n)
         u, outside = given[:n], given[n:]
-        outputs = [chain.amplified(numbers[k], command[k]) for k, chain in enumerate(chains)]
+        outputs = [chain.amplified(arm.drives[k], command[k]) for k, chain in enumerate(chains)]
         states = [[x[place] for place in layout.drive(k)] for k in range(n)]
-        carried = trace_drives(structure, numbers, (x[layout.q], x[layout.qd]), states, u)
-        return cls(tracer, layout, x, u, outside, outputs, carried)
+        pressures = x[layout.supplies]
+        at = at_supplies(structure, arm, pressures)
+        carried = trace_drives(structure, at, (x[layout.q], x[layout.qd]), states, u)
+        supplies = trace_supplies(structure, arm, states, pressures)
+        return cls(tracer, layout, x, u, outside, outputs, carried, supplies)
 
     @property
     def tau(self) -> list[Scalar]:
@@ -139,12 +147,15 @@ class _Traced:
         return [one + more for one, more in zip(net, self.outside, strict=True)] if self.outside else net
 
     def rates(self, target: str) -> list[tuple[str, Scalar]]:
-        """Return the rates of the states of the drives."""
-        return [
+        """Return the rates of the states of the drives and of the pressures of their supplies."""
+        first = self.layout.supplies.start
+        of_supplies = [(f"{target}[{first + k}]", rate) for k, rate in enumerate(self.supplies)]
+        of_drives = [
             (f"{target}[{place}]", rate)
             for k, one in enumerate(self.carried)
             for place, rate in zip(self.layout.drive(k), one.rates, strict=True)
         ]
+        return [*of_drives, *of_supplies]
 
 
 @lru_cache(maxsize=64)
@@ -271,6 +282,9 @@ def _row(structure: ArmStructure, drives: _Traced) -> list[tuple[str, Scalar]]:
             elif field.name in states:
                 state = states[field.name]
                 results.append((f"row[{place}]", x[state.first + state.axes.index(axis)]))
+            elif field.name == SUPPLY.name:
+                (supply,) = (k for k, axes in enumerate(layout.supplied) if axis in axes)
+                results.append((f"row[{place}]", x[layout.supplies.start + supply]))
             elif field.name == structure.drives[axis].amplifier.output.name:
                 results.append((f"row[{place}]", drives.carried[axis].given))
     return results

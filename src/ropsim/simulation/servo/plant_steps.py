@@ -17,8 +17,9 @@ from ropsim.dynamics import (
     spring_numbers,
     structure_of,
 )
+from ropsim.flow import StepCause
 from ropsim.kinematics import configurations, loop_gaps
-from ropsim.model import Payload, Rates, RobotModel
+from ropsim.model import Drive, Hydraulic, Payload, Rates, RobotModel
 from ropsim.simulation.servo.held_state import SMALL, held_state, without_dead_zones
 from ropsim.simulation.servo.plant_code import plant_sides
 from ropsim.simulation.servo.state import StateLayout
@@ -52,14 +53,26 @@ def plant_steps_of(robot: RobotModel, rates: Rates) -> int:
         robot: with drives, or without, which has no equations to integrate.
         rates: of its controller.
     """
-    if rates.plant_steps is not None:
-        return rates.plant_steps
+    return rates.plant_steps if rates.plant_steps is not None else _needed_steps(robot, rates)[0]
+
+
+def step_cause(robot: RobotModel, rates: Rates) -> StepCause:
+    """Return what sets the integration steps; arguments as of `plant_steps_of`."""
+    return StepCause.STATED if rates.plant_steps is not None else _needed_steps(robot, rates)[1]
+
+
+def _needed_steps(robot: RobotModel, rates: Rates) -> tuple[int, StepCause]:
     fewest = ceil(rates.control_period / LONGEST - 1e-9)
     if not robot.drives:
-        return fewest
-    of_friction = float(friction_rates(robot).rates.max())
-    needed = rates.control_period * max(fastest_pole(robot) / LARGEST_PRODUCT, of_friction / STEEPEST_PRODUCT)
-    return fewest if not needed > fewest else min(ceil(needed), max(MOST, fewest))
+        return fewest, StepCause.LONGEST
+    of_poles = fastest_pole(robot) / LARGEST_PRODUCT
+    of_friction = float(friction_rates(robot).rates.max()) / STEEPEST_PRODUCT
+    needed = rates.control_period * max(of_poles, of_friction)
+    if not needed > fewest:
+        return fewest, StepCause.LONGEST
+    if needed > (most := max(MOST, fewest)):
+        return most, StepCause.MOST
+    return ceil(needed), StepCause.POLE if of_poles >= of_friction else StepCause.FRICTION
 
 
 @record
@@ -124,7 +137,7 @@ def fastest_pole(robot: RobotModel) -> float:
     links = mass_matrices(robot, Q) - rotor_inertias(robot, Q)[:, :, np.newaxis] * np.eye(robot.n)
     springs = _springs(robot, Q)
     poles = [_magnitudes(robot, layout, *one) for one in zip(Q, links, springs, strict=True)]
-    fastest = float(np.max(poles))
+    fastest = max(float(np.max(poles)), *map(_empty_rate, robot.drives))
     return fastest if isfinite(fastest) else inf
 
 
@@ -156,8 +169,42 @@ def _magnitudes(robot: RobotModel, layout: StateLayout, q: Array, links: Array, 
             forces[axis, place] = change[axis] / (2.0 * step[place])
             A[own, place] = change[own] / (2.0 * step[place])
     forces[:, : 2 * n] += springs
+    _add_supplies(robot, layout, (x, u), A, forces)
     try:
         A[n : 2 * n] = np.linalg.solve(mass, forces)
         return np.asarray(np.abs(np.linalg.eigvals(A)))
     except np.linalg.LinAlgError:
         return np.full(size, inf)
+
+
+def _add_supplies(
+    robot: RobotModel, layout: StateLayout, rest: tuple[Array, Array], A: Array, forces: Array
+) -> None:
+    """Enter how supplies with accumulators and the drives at them act on each other.
+
+    Args:
+        robot: the arm.
+        layout: of its state.
+        rest: the integrated state and the outputs of the amplifiers about which it is linearised.
+        A: rates of the state over the state, without them; written in place.
+        forces: efforts at the axes over the state, the same.
+    """
+    supplies = list(range(layout.supplies.start, layout.supplies.stop))
+    states = [place for axis in range(robot.n) for place in layout.drive(axis)]
+    x, u = rest
+    for place in (*states, *supplies) if supplies else ():
+        step = np.zeros(len(x))
+        step[place] = SMALL * max(1.0, abs(x[place]))
+        slopes = (plant_sides(robot, x + step, u) - plant_sides(robot, x - step, u)) / (2.0 * step[place])
+        A[supplies, place] = slopes[supplies]
+        if place in supplies:
+            A[states, place] = slopes[states]
+            forces[:, place] = slopes[: robot.n]
+
+
+def _empty_rate(drive: Drive) -> float:
+    """Return how quickly the pump fills the line of a drive whose accumulator is empty [1/s]; 0 without."""
+    supply, motor = drive.supply, drive.motor
+    if supply is None or not isinstance(motor, Hydraulic):
+        return 0.0
+    return supply.pump_flow / supply.pump_band * motor.bulk_modulus / supply.line_volume

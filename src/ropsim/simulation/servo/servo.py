@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.codegen import Compiled, Engine, SourceFunction, StoppedError, bound, default_engine, load
+from ropsim.codegen import Compiled, Engine, StoppedError, bound, default_engine
 from ropsim.controller import (
     CompiledLaw,
     LawInput,
@@ -15,7 +15,6 @@ from ropsim.controller import (
     joint_law,
     law_arrays,
     law_model,
-    rehearse,
     stopped,
 )
 from ropsim.core import RopsimError
@@ -24,12 +23,12 @@ from ropsim.dynamics import (
     barycentric,
     check_model,
     closed_coordinates,
-    identifier,
     structure_of,
 )
 from ropsim.flow import JointReference
 from ropsim.kinematics import without_linear_loops
 from ropsim.model import ControllerKind, ControllerModel, Payload, Rates, RobotModel
+from ropsim.simulation.servo.bench import Bench, compiled_slice
 from ropsim.simulation.servo.checks import (
     check_aux,
     check_drives,
@@ -42,14 +41,13 @@ from ropsim.simulation.servo.checks import (
 )
 from ropsim.simulation.servo.diagnostics import DivergedError
 from ropsim.simulation.servo.divergence import diverged, first_fault, has_passed, is_sound, volume_at_rest
-from ropsim.simulation.servo.held_state import held_drives, remember_chains
-from ropsim.simulation.servo.judged import full_values
+from ropsim.simulation.servo.held_state import full_supplies, held_drives, remember_chains, sagging
 from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.sensing import Sensors, is_timed, sensing_of, sensor_rows
 from ropsim.simulation.servo.slice_log import Log
-from ropsim.simulation.servo.source import NO_SENSORS, frame_rows, servo_functions
+from ropsim.simulation.servo.source import NO_SENSORS, servo_functions
 from ropsim.simulation.servo.state import ServoState, StateLayout
 from ropsim.spatial import Array
 
@@ -86,7 +84,7 @@ class Servo:
     plant_steps: int
     sensors: Sensors
     kernel: Compiled
-    bench: "_Bench"
+    bench: Bench
 
     @classmethod
     def build(
@@ -129,11 +127,11 @@ class Servo:
         layout = StateLayout.of(structure_of(robot), inner.traits, sensing.kept, outside_rows)
         within = sensing if python_law is None else NO_SENSORS
         functions = servo_functions(structure_of(robot), inner, within, outside_rows)
-        kernel = _kernel(robot, inner, functions, engine or default_engine(), own)
+        kernel = compiled_slice(robot, inner, functions, engine or default_engine(), own)
         steps = plant_steps_of(robot, controller.rates)
         rates = replace(controller.rates, plant_steps=steps)
         numbers = sensor_rows(controller, inner)
-        bench = _Bench.of(kernel, inner, numbers, layout, rates, robot)
+        bench = Bench.of(kernel, inner, numbers, layout, rates, robot)
         sensors = Sensors(sensing, numbers, is_timed(controller, inner))
         return cls(robot, inner, python_law, layout, rates.control_hz, steps, sensors, kernel, bench)
 
@@ -141,6 +139,12 @@ class Servo:
     def period(self) -> float:
         """Return the control period [s]."""
         return 1.0 / self.control_hz
+
+    def with_shorter_steps(self, parts: int) -> "Servo":
+        """Return the servo with so many times as many integration steps, and work arrays of its own."""
+        rates = Rates(self.control_hz, plant_steps=parts * self.plant_steps)
+        bench = Bench.of(self.kernel, self.law, self.sensors.numbers, self.layout, rates, self.robot)
+        return replace(self, plant_steps=parts * self.plant_steps, bench=bench)
 
     def initial_state(self, q: npt.ArrayLike, payload: Payload = NO_PAYLOAD) -> ServoState:
         """Return the state at tick 0: at rest on its reference, held against gravity by the drives.
@@ -160,14 +164,15 @@ class Servo:
         start = check_vector("q", q, n)
         layout = self.layout
         values = np.zeros(layout.size)
-        values[layout.q] = start
+        values[layout.q] = at = sagging(self.robot, start, payload)
         layout.in_force(values)[0] = start
+        values[layout.supplies] = full_supplies(self.robot)
         if self.robot.cuts:
-            values[list(layout.loops.passive)] = closed_coordinates(self.robot, start)
+            values[list(layout.loops.passive)] = closed_coordinates(self.robot, at)
             values[layout.loops.side] = volume_at_rest(self.robot)
             remember_chains(self.law.traits, layout.memory(values), values[list(layout.loops.passive)])
         memory, pending = layout.memory(values), layout.waiting(values)
-        for k, held in enumerate(held_drives(self.robot, start, payload)):
+        for k, held in enumerate(held_drives(self.robot, at, payload)):
             values[list(layout.drive(k))] = held.states
             values[layout.output.start + k] = held.output
             pending[:, k] = held.command
@@ -331,8 +336,8 @@ class Servo:
         """
         found = self.layout.sensed(self.law.traits.sensed)
         rows = [[0.0 if one is None else state.values[one] for one in places] for places in found]
-        speeds = state.values[list(self.layout.measured_speeds)]
-        return np.array([state.q, speeds, self.efforts(state), np.zeros(self.robot.n), *rows])
+        q, speeds = state.sensed
+        return np.array([q, speeds, self.efforts(state), np.zeros(self.robot.n), *rows])
 
     def efforts(self, state: ServoState) -> Array:
         """Return the torques of the drives at the joints in a state [N·m | N], shape (n,)."""
@@ -343,59 +348,3 @@ class Servo:
 
 _Rows = tuple[Array, Array, Array]
 """Coordinates, speeds and accelerations of a reference, as compiled code takes them."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Bench:
-    """Arrays shared by the calls of a slice; their contents do not persist between calls.
-
-    Attributes:
-        values: the state vector while it is worked on.
-        parameters: of the law, and below them its model and the sensors.
-        slice: the compiled slice with room to work in, parameters of the law and rates.
-        slices: the same for a payload.
-        width: numbers in a row of the log.
-    """
-
-    values: Array
-    parameters: Array
-    width: int
-    slice: Compiled
-    slices: dict[Payload, Compiled]
-
-    @classmethod
-    def of(
-        cls,
-        kernel: Compiled,
-        law: CompiledLaw,
-        sensors: Array,
-        layout: StateLayout,
-        rates: Rates,
-        robot: RobotModel,
-    ) -> "_Bench":
-        values, model = np.zeros(layout.size), law.model.rows if law.model else sensors[:0]
-        parameters = np.vstack((law.parameters, model, sensors))
-        state = (values, layout.in_force(values), layout.waiting(values), layout.remembered(values))
-        ends, full = np.array([robot.lower_limits, robot.upper_limits]), full_values(robot)
-        room = (np.zeros((frame_rows(law), layout.n)), np.zeros((5, layout.integrated)), np.zeros(len(full)))
-        given = (*state, parameters, *room, ends, full, rates.plant_steps, 1.0 / rates.control_hz)
-        made = bound(kernel, *given)
-        return cls(values, parameters, len(full), made, {})
-
-
-def _kernel(
-    robot: RobotModel,
-    law: CompiledLaw,
-    functions: tuple[SourceFunction, ...],
-    engine: Engine,
-    own: CompiledLaw | PythonLaw | None,
-) -> Compiled:
-    """Return the compiled slice; `own` is the law of a user, which is tried first."""
-    name = f"{identifier(robot.name)}_servo_{law.name}"
-    if not isinstance(own, CompiledLaw):
-        return load(name, functions, engine)
-    rehearse(law, robot.n)
-    try:
-        return load(name, functions, engine)
-    except Exception as error:  # numba has a family of errors for code that it cannot compile
-        raise failed(law, error) from error

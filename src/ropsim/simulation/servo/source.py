@@ -2,7 +2,7 @@
 
 from ropsim.codegen import SourceFunction
 from ropsim.controller import CompiledLaw, law_code, law_functions
-from ropsim.dynamics import ArmStructure, step_code
+from ropsim.dynamics import SUPPLY, ArmStructure, step_code
 from ropsim.simulation.servo.log import LogLayout, floors
 from ropsim.simulation.servo.plant_code import plant_code
 from ropsim.simulation.servo.sensing import Sensing
@@ -52,13 +52,19 @@ def _slice_text(structure: ArmStructure, law: CompiledLaw, sensing: Sensing, out
     n), `stages` (5, m) and `now` (w,) are work arrays, the last r rows of the frame for what the law
     reads of the drives and for its own work; behind the outputs of the amplifiers `u` has the efforts from
     outside, where there are some: they are held over all ticks of the slice. Every tick enters the tally
-    (4, w): `ends` (2, n) are the ranges of the joints, `full` (w,) are the values that count as limits; for
-    pressures, the judged quantity is the distance below the limit. Arguments that rarely change come first.
+    (4, w): `ends` (2, n) are the ranges of the joints, `full` (2·w,) are the values that count as limits,
+    then what quantities are to stay above; for pressures, the judged quantity is the distance below that.
+    Arguments that rarely change come first.
     """
     n, traits = structure.n, law.traits
     layout = StateLayout.of(structure, traits)
     size = layout.integrated
     motors = [
+        f"seen[0, {axis}] = x[{place}]"
+        for axis, place in enumerate(layout.measured_coordinates)
+        if place != axis
+    ]
+    motors += [
         f"seen[1, {axis}] = x[{place}]"
         for axis, place in enumerate(layout.measured_speeds)
         if place != n + axis
@@ -77,10 +83,13 @@ def _slice_text(structure: ArmStructure, law: CompiledLaw, sensing: Sensing, out
     log = LogLayout.of(structure.drives)
     q_ref, qd_ref = log.field("q_ref").first, log.field("qd_ref").first
     q = log.field("q").first
+    least_of = {name: repr(least) for name, least in floors(structure.drives).items()}
+    if SUPPLY.name in least_of:
+        least_of[SUPPLY.name] = f"full[{log.width} + j]"
     below = "".join(
         f"\n        for j in range({field.first}, {field.place.stop}):\n"
-        f"            now[j] = max({least!r} - now[j], 0.0)"
-        for name, least in floors(structure.drives).items()
+        f"            now[j] = max({least} - now[j], 0.0)"
+        for name, least in least_of.items()
         for field in (log.field(name),)
     )
     return f"""\

@@ -9,16 +9,19 @@ from ropsim.spatial import Array, record
 MOTOR_SPEED = "motor_speed"
 """Name of the state of drives with elastic gears: the speed of the motor over the gear ratio."""
 
+HUB_COORDINATE, HUB_SPEED = "hub_coordinate", "hub_speed"
+"""Names of the states of drives before elastic links, whose motors know where their hubs are."""
+
 
 @frozen_dataclass
 class StateLayout:
     """Where things stand in the state vector.
 
-    In order: q, qd, states of the drives, and of closed chains the coordinates that they determine, their
-    speeds, what is left between their frames, and what tells dead centres; outputs of the amplifiers, efforts
-    at the axes from outside where something can exert them, the reference in force, outputs of the law that
-    do not act yet, states of the law, those of the sensors. All before the outputs of the amplifiers is
-    integrated; the others change at control ticks.
+    In order: q, qd, states of the drives, pressures of supplies with accumulators, and of closed chains the
+    coordinates that they determine, their speeds, what is left between their frames, and what tells dead
+    centres; outputs of the amplifiers, efforts at the axes from outside where something can exert them, the
+    reference in force, outputs of the law that do not act yet, states of the law, those of the sensors. All
+    before the outputs of the amplifiers is integrated; the others change at control ticks.
 
     Attributes:
         n: number of joints.
@@ -29,6 +32,7 @@ class StateLayout:
         sensor_rows: rows of n numbers that sensors hold, or that are on their way from them.
         passive: number of coordinates that closed chains determine.
         outside_rows: 1 where efforts from outside act on the axes, else 0.
+        supplied: drives at each supply of oil with an accumulator, from 0.
     """
 
     n: int
@@ -39,6 +43,7 @@ class StateLayout:
     sensor_rows: int = 0
     passive: int = 0
     outside_rows: int = 0
+    supplied: tuple[tuple[int, ...], ...] = ()
 
     @classmethod
     def of(
@@ -49,10 +54,12 @@ class StateLayout:
         n = len(chains)
         names = tuple(tuple(state.name for state in chain.states) for chain in chains)
         drives = fields(names, 2 * n)
-        integrated = drives[-1].place.stop if drives else 2 * n
+        integrated = (drives[-1].place.stop if drives else 2 * n) + len(structure.supplies)
         integrated += 2 * p + LOOP_NUMBERS if p else 0
-        law_rows = len(traits.state_names)
-        return cls(n, drives, integrated, traits.delay, law_rows, sensor_rows, p, outside_rows)
+        rows = len(traits.state_names)
+        return cls(
+            n, drives, integrated, traits.delay, rows, sensor_rows, p, outside_rows, structure.supplies
+        )
 
     @property
     def size(self) -> int:
@@ -74,6 +81,11 @@ class StateLayout:
     def driven(self) -> int:
         """Return how many numbers belong to axes and drives: those of closed chains follow behind them."""
         return self.integrated - (2 * self.passive + LOOP_NUMBERS if self.passive else 0)
+
+    @property
+    def supplies(self) -> slice:
+        """Return the place of the pressures of the supplies with accumulators [Pa]."""
+        return slice(self.driven - len(self.supplied), self.driven)
 
     @property
     def loops(self) -> LoopState:
@@ -133,13 +145,19 @@ class StateLayout:
     @property
     def measured_speeds(self) -> tuple[int, ...]:
         """Return the places of the speeds measured for a law: of the motor if it is a separate state."""
-        motors = {
-            axis: field.first + number
-            for field in self.drives
-            if field.name == MOTOR_SPEED
-            for number, axis in enumerate(field.axes)
-        }
+        motors = self._places(HUB_SPEED) | self._places(MOTOR_SPEED)
         return tuple(motors.get(axis, self.n + axis) for axis in range(self.n))
+
+    @property
+    def measured_coordinates(self) -> tuple[int, ...]:
+        """Return the places of the coordinates measured for a law: of the hub before an elastic link."""
+        hubs = self._places(HUB_COORDINATE)
+        return tuple(hubs.get(axis, axis) for axis in range(self.n))
+
+    def _places(self, name: str) -> dict[int, int]:
+        """Return where a state stands, for each drive that has it."""
+        fields = (field for field in self.drives if field.name == name)
+        return {axis: field.first + k for field in fields for k, axis in enumerate(field.axes)}
 
     def sensed(self, names: tuple[str, ...]) -> list[tuple[int | None, ...]]:
         """Return for each name where that state of each drive stands; None for a drive without it."""
@@ -180,6 +198,12 @@ class ServoState:
     def qd(self) -> Array:
         """Return the joint speeds [rad/s | m/s], shape (n,)."""
         return self.values[self.layout.qd]
+
+    @property
+    def sensed(self) -> Array:
+        """Return coordinates and speeds as a law is given them: those of motors, shape (2, n)."""
+        layout = self.layout
+        return self.values[[layout.measured_coordinates, layout.measured_speeds]]
 
     @property
     def output(self) -> Array:

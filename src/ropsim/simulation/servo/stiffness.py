@@ -1,9 +1,10 @@
-"""Axes whose friction is too steep for the integration step: a light link on a joint with much friction.
+"""Integration steps that are too long: for the friction of an axis, or for the fastest pole of the plant.
 
 Friction with bristles holds a joint at rest as a spring k does: ẍ = -k/J·x decays or swings at √(k/J).
 """
 
 from collections.abc import Iterator
+from math import ceil, isfinite
 
 import numpy as np
 
@@ -11,8 +12,8 @@ from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.dynamics import reflected_inertia
 from ropsim.flow import Fidelity
 from ropsim.model import ROBOT, Cell, JointType, Rates, RobotModel
-from ropsim.simulation.servo.diagnostics import STEEP_FRICTION
-from ropsim.simulation.servo.plant_steps import friction_rates, plant_steps_of
+from ropsim.simulation.servo.diagnostics import LONG_STEP, STEEP_FRICTION
+from ropsim.simulation.servo.plant_steps import LARGEST_PRODUCT, fastest_pole, friction_rates, plant_steps_of
 
 STABLE = 2.7
 """Greatest product of integration step and decay rate; fixed Runge-Kutta steps of fourth order bear 2.785.
@@ -48,7 +49,7 @@ def steep_axes(robot: RobotModel, rates: Rates) -> tuple[SteepAxis, ...]:
     Raises:
         MissingMassError: M590 or M591, the arm, or what an axis moves, has no inertia.
     """
-    step = rates.control_period / plant_steps_of(robot, rates)
+    step = _step(robot, rates)
     found = friction_rates(robot)
     products, swings = found.rates * step, found.swings * step
     order = np.argsort(-products, kind="stable")
@@ -86,7 +87,9 @@ def steep_words(robot: RobotModel, steep: SteepAxis) -> str:
 
 
 def steep_findings(cell: Cell, fidelity: Fidelity) -> Iterator[Diagnostic]:
-    """Yield a warning for each robot with drives whose friction is too steep, about its steepest axis.
+    """Yield a warning for each robot with drives whose integration steps are too long.
+
+    It is about the axis with the steepest friction, or about the fastest pole of drives and arm.
 
     Args:
         cell: that is run.
@@ -95,13 +98,42 @@ def steep_findings(cell: Cell, fidelity: Fidelity) -> Iterator[Diagnostic]:
     if fidelity is Fidelity.KINEMATIC:
         return
     for name, station in cell.stations.items():
-        found = steep_axes(station.robot, station.controller.rates) if station.robot.drives else ()
+        robot, rates = station.robot, station.controller.rates
+        found = steep_axes(robot, rates) if robot.drives else ()
         if found:
             where = "" if name == ROBOT else f" of station `{name}`"
             others = f"; {len(found) - 1} more axes are like it" if len(found) > 1 else ""
             yield STEEP_FRICTION.at(
                 None,
-                f"`{station.robot.name}`{where}: {steep_words(station.robot, found[0])}{others}",
+                f"`{robot.name}`{where}: {steep_words(robot, found[0])}{others}",
                 hint=STEEP_HINT,
-                data={"axes": tuple(station.robot.axis_joints[one.axis].name for one in found)},
+                data={"axes": tuple(robot.axis_joints[one.axis].name for one in found)},
             )
+        elif robot.drives and (long := long_step(name, robot, rates)):
+            yield long
+
+
+def long_step(name: str, robot: RobotModel, rates: Rates) -> Diagnostic | None:
+    """Return the warning that the integration step is too long for the fastest pole; None where it is not.
+
+    Args:
+        name: of the station.
+        robot: with drives.
+        rates: of its controller.
+    """
+    pole, step = fastest_pole(robot), _step(robot, rates)
+    if pole * step < STABLE:
+        return None
+    where = "" if name == ROBOT else f" of station `{name}`"
+    needed = ceil(rates.control_period * pole / LARGEST_PRODUCT) if isfinite(pole) else 0
+    message = (
+        f"`{robot.name}`{where}: the fastest pole of drives and arm is {pole:.3g} 1/s, times the integration "
+        f"step of {step * 1e3:.3g} ms it is {pole * step:.3g}, stable is less than {STABLE:g}"
+    )
+    hint = f"`plant_steps` = {needed} would do" if needed else "an axis moves nothing: look for its inertia"
+    return LONG_STEP.at(None, message, hint=hint, data={"pole": pole, "step_s": step})
+
+
+def _step(robot: RobotModel, rates: Rates) -> float:
+    """Return the integration step [s]."""
+    return rates.control_period / plant_steps_of(robot, rates)

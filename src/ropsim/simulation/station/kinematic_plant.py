@@ -60,6 +60,11 @@ class KinematicPlant:
         return self._qd
 
     @property
+    def sensed(self) -> Array:
+        """Return coordinates and speeds as motors measure them, shape (2, n)."""
+        return np.array([self._q, self._qd])
+
+    @property
     def effort(self) -> Array:
         """Return zeros: nothing drives an ideal arm, shape (n,)."""
         return np.zeros(len(self._q))
@@ -73,6 +78,10 @@ class KinematicPlant:
     def plant_steps(self) -> int:
         """Return the integration steps of drives and arm per control tick; 1 where nothing is integrated."""
         return 1
+
+    @property
+    def integration(self) -> None:
+        """Return None: nothing is integrated."""
 
     @property
     def tick(self) -> int:

@@ -6,12 +6,13 @@ from dataclasses import replace
 import numpy as np
 
 from ropsim.core import RopsimError
-from ropsim.flow import JointReference
+from ropsim.flow import IntegrationFacts, JointReference
 from ropsim.model import Cell, Payload, Station
 from ropsim.planning import Sample
 from ropsim.simulation.records.plant import constant
 from ropsim.simulation.records.tally import Tally
 from ropsim.simulation.servo.checks import check_signals
+from ropsim.simulation.servo.integration import integration_facts
 from ropsim.simulation.servo.kept_drives import Driving, driven_anew
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.servo import Servo
@@ -58,6 +59,7 @@ class ServoPlant:
         if options.sensors is None:
             check_signals(self._servo.law, cell)
         self._state = self._servo.initial_state(station.q_start, payload)
+        self._integration = integration_facts(self._servo, station.controller.rates, self._state, payload)
         record_ticks = options.record_ticks(self._servo.control_hz)
         others = len(cell.stations) + len(cell.devices) > 1
         kind = TickRecorder if others or memory_ticks(cell, self._servo.control_hz) else Recorder
@@ -76,6 +78,11 @@ class ServoPlant:
     def qd(self) -> Array:
         """Return the attained joint speeds [rad/s | m/s], shape (n,)."""
         return self._state.qd
+
+    @property
+    def sensed(self) -> Array:
+        """Return coordinates and speeds as motors measure them, before elastic links, shape (2, n)."""
+        return self._state.sensed
 
     @property
     def effort(self) -> Array:
@@ -101,6 +108,11 @@ class ServoPlant:
     def plant_steps(self) -> int:
         """Return the integration steps of drives and arm per control tick; 1 where nothing is integrated."""
         return self._servo.plant_steps
+
+    @property
+    def integration(self) -> IntegrationFacts:
+        """Return how drives and arm are integrated."""
+        return self._integration
 
     @property
     def tick(self) -> int:

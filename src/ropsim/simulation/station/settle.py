@@ -49,7 +49,8 @@ def settle(run: CellRun, at: StationRun, move: MoveInstruction) -> Generator[Non
 
 
 def _is_there(at: StationRun) -> bool:
-    return at.plant.q.tolist() == at.q_command.tolist() and not any(at.plant.qd.tolist())
+    q, qd = at.plant.sensed
+    return q.tolist() == at.q_command.tolist() and not any(qd.tolist())
 
 
 def _is_in_position(at: StationRun) -> bool:
@@ -59,7 +60,8 @@ def _is_in_position(at: StationRun) -> bool:
 def _shares(at: StationRun) -> Iterator[float]:
     """Yield the error of each joint as a share of its window; its speed counts as the way of `SPEED_TIME`."""
     window = at.station.controller.in_position.tolist()
-    joints = zip(at.plant.q.tolist(), at.q_command.tolist(), at.plant.qd.tolist(), window, strict=True)
+    q_seen, qd_seen = at.plant.sensed.tolist()
+    joints = zip(q_seen, at.q_command.tolist(), qd_seen, window, strict=True)
     for q, wanted, qd, most in joints:
         off = max(abs(q - wanted), abs(qd) * SPEED_TIME)
         yield off / most if most > 0.0 else math.inf if off > 0.0 else 0.0
@@ -68,7 +70,8 @@ def _shares(at: StationRun) -> Iterator[float]:
 def _not_in_position(at: StationRun, move: MoveInstruction) -> Diagnostic:
     controller = at.station.controller
     window = controller.in_position
-    errors, speeds = np.abs(at.plant.q - at.q_command), np.abs(at.plant.qd)
+    q, qd = at.plant.sensed
+    errors, speeds = np.abs(q - at.q_command), np.abs(qd)
     moves = bool((errors <= window).all())
     joint = int(((speeds if moves else errors) / window).argmax())
     model, error, allowed = at.station.robot.axis_joints[joint], float(errors[joint]), float(window[joint])

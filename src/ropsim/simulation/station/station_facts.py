@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from ropsim.controller import CompiledLaw, PythonLaw
-from ropsim.flow import AxisFacts, AxisType, StationFacts
+from ropsim.flow import AxisFacts, AxisType, IntegrationFacts, StationFacts
 from ropsim.model import (
     ControllerModel,
     CurrentLoopMotor,
@@ -20,7 +20,11 @@ _TYPES = {JointType.REVOLUTE: AxisType.REVOLUTE, JointType.PRISMATIC: AxisType.P
 
 
 def station_facts(
-    name: str, robot: RobotModel, controller: ControllerModel, plant_steps: int
+    name: str,
+    robot: RobotModel,
+    controller: ControllerModel,
+    plant_steps: int,
+    integration: IntegrationFacts | None,
 ) -> StationFacts:
     """Return the facts of a station before it runs a program.
 
@@ -29,6 +33,7 @@ def station_facts(
         robot: its arm.
         controller: its controller.
         plant_steps: integration steps per control tick, 1 where nothing is integrated.
+        integration: how drives and arm are integrated; None where nothing is.
     """
     rates = controller.rates
     return StationFacts(
@@ -36,6 +41,7 @@ def station_facts(
         control_hz=float(rates.control_hz),
         interpolation_ticks=rates.interpolation_ticks,
         plant_steps=plant_steps,
+        integration=integration,
         robot=robot.name,
         title=robot.title,
         axes=_axes(robot),

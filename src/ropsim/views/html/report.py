@@ -5,8 +5,8 @@ import hashlib
 import math
 from collections.abc import Mapping
 
-from ropsim.core import SourceText
-from ropsim.flow import Recording, StationFacts
+from ropsim.core import SourceText, plural
+from ropsim.flow import IntegrationFacts, Recording, StationFacts
 from ropsim.views.comparison import Comparison, comparison_section
 from ropsim.views.html.accuracy import accuracy_section
 from ropsim.views.html.cards import key_figures, station_figures
@@ -32,7 +32,7 @@ from ropsim.views.summary.station_summary import StationSummary
 from ropsim.views.summary.summary import Summary
 from ropsim.views.summary.verdict import Verdict, verdict
 from ropsim.views.ways import ways_section
-from ropsim.views.words.figures import seconds
+from ropsim.views.words.figures import digits, seconds
 from ropsim.views.words.messages import messages
 
 SHOWN_LINE_CHANGES = 5000
@@ -177,10 +177,20 @@ def _footer(summary: Summary) -> str:
     rates = dict.fromkeys(f"{one.control_hz:g} Hz" for one in stations if math.isfinite(one.control_hz))
     if rates:
         parts.append(f"control {', '.join(rates)}")
+    ways = (_integration(one.plant_steps, one.integration) for one in stations if one.integration)
+    parts += dict.fromkeys(ways) if not facts.is_kinematic else ["kinematic: nothing is integrated"]
     if math.isfinite(facts.record_hz):
         parts.append(f"recorded at {facts.record_hz:g} Hz")
     parts += [f"program id {one.icr_id}" for one in stations if one.icr_id]
     return f"<footer>{text(' · '.join(parts))}</footer>\n"
+
+
+def _integration(steps: int, way: IntegrationFacts) -> str:
+    """Return how drives and arm were integrated."""
+    how = f"{way.method} in steps of {digits(way.step * 1e3)} ms, {plural(steps, 'step')} per control tick"
+    why = f"set by: {way.cause.value}; fastest pole {digits(way.pole)} 1/s"
+    error = f", error at most {way.error:.0e} rad or m" if math.isfinite(way.error) else ""
+    return f"{how} ({why}){error}"
 
 
 def _reading(recording: Recording) -> str:

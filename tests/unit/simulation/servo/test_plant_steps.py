@@ -18,7 +18,6 @@ from ropsim.model import (
     Friction,
     Gear,
     IdealMotor,
-    Link,
     LoadFriction,
     Payload,
     Rates,
@@ -30,15 +29,8 @@ from ropsim.simulation.servo.plant_steps import LARGEST_PRODUCT, MOST, fastest_p
 from ropsim.simulation.servo.state import StateLayout
 from ropsim.simulation.servo.stiffness import steep_axes
 from ropsim.spatial import Array
+from support.arms import one_axis
 from support.servo_cases import GOAL, START, quintic
-
-
-def one_axis(drive: Drive, inertia: float) -> RobotModel:
-    """Return an axis without gravity that turns a link by a drive."""
-    robot = robots.load("two_link")
-    link = Link(0.0, np.zeros(3), inertia * np.eye(3))
-    one = replace(robot, joints=robot.joints[:1], links=(link,), drives=(drive,), home=np.zeros(1))
-    return replace(one, axes=(0,), tip=0)
 
 
 def test_the_pole_of_a_motor_on_a_spring_is_that_of_two_masses() -> None:

@@ -6,7 +6,18 @@ import numpy as np
 import pytest
 
 from ropsim.core import Diagnostic, Severity
-from ropsim.flow import Channel, MessageEvent, MotionKind, Origin, Recording, SkipEvent, TaskEvent
+from ropsim.flow import (
+    Channel,
+    Fidelity,
+    IntegrationFacts,
+    MessageEvent,
+    MotionKind,
+    Origin,
+    Recording,
+    SkipEvent,
+    StepCause,
+    TaskEvent,
+)
 from ropsim.views import html_report, summarize
 from support.recordings import (
     SOURCE,
@@ -100,6 +111,21 @@ def test_every_chart_of_the_contract_is_there() -> None:
     text = page(pick_and_place())
     for name in ("q", "qd", "tau", "current", "q_error", "tcp", "top", "side", "schedule", "signals"):
         assert f'id="chart-{name}-t"' in text
+
+
+def test_the_page_says_how_drives_and_arm_were_integrated() -> None:
+    """One line, for each way once; of a kinematic run that nothing was, of an older recording nothing."""
+    way = IntegrationFacts("Runge-Kutta 4", 2.5e-4, StepCause.POLE, 5140.0, 3e-9)
+    known = replace(station(), integration=way)
+    recording = replace(pick_and_place(1), facts=facts(stations=(known,)))
+    assert (
+        "Runge-Kutta 4 in steps of 0.250 ms, 4 steps per control tick (set by: fastest pole; "
+        "fastest pole 5140 1/s), error at most 3e-09 rad or m"
+    ) in page(recording)
+    plain = replace(recording, facts=facts(stations=(station(),)))
+    assert "Runge-Kutta" not in page(plain)
+    still = replace(plain, facts=replace(plain.facts, fidelity=Fidelity.KINEMATIC))
+    assert "kinematic: nothing is integrated" in page(still)
 
 
 def test_hostile_names_are_escaped_everywhere() -> None:

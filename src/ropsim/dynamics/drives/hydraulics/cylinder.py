@@ -17,6 +17,7 @@ from ropsim.dynamics.drives.hydraulics.servo_valve import (
     supply_power,
     trace_flows,
     trace_spool,
+    trace_taken,
 )
 from ropsim.model import HydraulicCylinder, InputKind
 
@@ -142,5 +143,6 @@ HYDRAULIC_CYLINDER = MotorBlock(
     steady=_steady,
     pole=lambda cylinder: float(cylinder.natural_frequency),
     power=supply_power,
+    taken=trace_taken,
     most=_most,
 )

@@ -18,6 +18,7 @@ from ropsim.dynamics.drives.hydraulics.servo_valve import (
     supply_power,
     trace_flows,
     trace_spool,
+    trace_taken,
 )
 from ropsim.model import HydraulicMotor, HydraulicVane, InputKind
 
@@ -61,5 +62,6 @@ HYDRAULIC_MOTOR = MotorBlock(
     steady=steady_motor,
     pole=lambda motor: float(motor.natural_frequency),
     power=supply_power,
+    taken=trace_taken,
     most=most_torque,
 )

@@ -68,6 +68,20 @@ def trace_flows(valve: Numbers, a: Scalar, b: Scalar, opening: Scalar) -> tuple[
     return into_a, into_b
 
 
+def trace_taken(p: Numbers, states: Numbers) -> Scalar:
+    """Return the flow out of the supply through both edges [m³/s].
+
+    Args:
+        p: numbers of a hydraulic motor or cylinder, those of its valve last.
+        states: `VALVE_STATES`.
+    """
+    valve = p[-len(VALVE_NUMBERS) :]
+    a, b, opening, _ = states
+    _, supply, flow, drop, *_ = valve
+    forward, backward = _trace_edge(valve, opening), _trace_edge(valve, -opening)
+    return flow * sqrt(2.0 / drop) * (forward * _root(supply - a) + backward * _root(supply - b))
+
+
 def trace_spool(valve: Numbers, current: Scalar, opening: Scalar, rate: Scalar) -> Scalar:
     """Return the acceleration of the spool [1/s²]."""
     *_, rated, natural, damping = valve
@@ -122,16 +136,17 @@ def supply_power(record: Hydraulic, columns: Recorded, speed: Array) -> Array:
 
     Args:
         record: with the valve.
-        columns: `VALVE_STATES`, shape (rows,) each.
+        columns: `VALVE_STATES`, shape (rows,) each, and the pressure of a supply with an accumulator.
         speed: of the shaft; the flow through the edges does not depend on it.
     """
     del speed
     opening = columns["opening"]
-    falls = [record.supply_pressure - columns[one] for one in ("pressure_a", "pressure_b")]
+    supply = columns.get("supply_pressure", record.supply_pressure)
+    falls = [supply - columns[one] for one in ("pressure_a", "pressure_b")]
     roots = [fall / np.sqrt(np.sqrt(fall * fall + LAMINAR * LAMINAR)) for fall in falls]
     edge = record.rated_flow * root(2.0 / record.rated_pressure_drop)
     flow = edge * (_edge(record, opening) * roots[0] + _edge(record, -opening) * roots[1])
-    return np.asarray(record.supply_pressure * flow)
+    return np.asarray(supply * flow)
 
 
 def least_opening(record: Hydraulic) -> float:

@@ -13,6 +13,7 @@ from ropsim.dynamics.drives.hydraulics.servo_valve import (
     supply_power,
     trace_flows,
     trace_spool,
+    trace_taken,
 )
 from ropsim.model import InputKind
 
@@ -52,5 +53,6 @@ HYDRAULIC_VANE = MotorBlock(
     steady=steady_motor,
     pole=lambda motor: float(motor.natural_frequency),
     power=supply_power,
+    taken=trace_taken,
     most=most_torque,
 )
