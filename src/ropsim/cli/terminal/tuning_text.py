@@ -2,13 +2,14 @@
 
 import math
 import textwrap
+from collections.abc import Iterator
 
 import numpy as np
 
 from ropsim.cli.terminal.response_text import margins_entry, number, plain
 from ropsim.core import plural
 from ropsim.model import LAW_WORDS, ROBOT, ControllerModel, JointType, RobotModel, gain_names
-from ropsim.simulation import PlaceCheck, PlaceGrid, margin_utilisation, worst_of
+from ropsim.simulation import LoopNeeds, PlaceCheck, PlaceGrid, margin_utilisation, worst_of
 from ropsim.spatial import Array, record
 from ropsim.views import Style, TableCell, Tone, columns_text
 
@@ -30,7 +31,8 @@ class Tuned:
         damping: of the axes.
         grid: the places.
         loads: in words.
-        checks: at all places with all loads.
+        checks: at all places with all loads, at rest and in slow motion.
+        needs: margins that each loop should keep.
     """
 
     station: str
@@ -41,6 +43,7 @@ class Tuned:
     grid: PlaceGrid
     loads: tuple[str, ...]
     checks: tuple[PlaceCheck, ...]
+    needs: LoopNeeds
 
 
 def tuning_text(tuned: Tuned, style: Style) -> str:
@@ -103,22 +106,35 @@ def tuning_document(tuned: Tuned) -> dict[str, object]:
 
 
 def _axis_entry(tuned: Tuned, axis: int, name: str) -> dict[str, object]:
-    worst = worst_of(tuned.checks, axis)
+    worst = worst_of(tuned.checks, axis, tuned.needs)
     return {
         "axis": name,
         "bandwidth_hz": plain(float(tuned.bandwidths[axis])),
-        "worst": {
-            "q": tuned.grid.Q[worst.place].tolist(),
-            "load": tuned.loads[worst.load],
-            **margins_entry(worst.margins[axis]),
-        },
+        "worst": _worst_entry(tuned, axis, worst),
+        "at_rest": _worst_entry(tuned, axis, _worst(tuned, axis)[0]),
     }
+
+
+def _worst_entry(tuned: Tuned, axis: int, worst: PlaceCheck) -> dict[str, object]:
+    return {
+        "q": tuned.grid.Q[worst.place].tolist(),
+        "load": tuned.loads[worst.load],
+        "motion": worst.motion.words,
+        **margins_entry(worst.margins[axis]),
+    }
+
+
+def _worst(tuned: Tuned, axis: int) -> tuple[PlaceCheck, ...]:
+    """Return the worst check of an axis at rest, and in slow motion if there is any."""
+    groups = ([one for one in tuned.checks if one.motion.is_rest is still] for still in (True, False))
+    return tuple(worst_of(group, axis, tuned.needs) for group in groups if group)
 
 
 def _place_entry(tuned: Tuned, one: PlaceCheck) -> dict[str, object]:
     return {
         "q": tuned.grid.Q[one.place].tolist(),
         "load": tuned.loads[one.load],
+        "motion": one.motion.words,
         "slowest_hz": plain(one.slowest_hz),
         "damping": plain(one.damping),
         "gain": [plain(axis.gain) for axis in one.margins],
@@ -137,29 +153,36 @@ def _grid_words(tuned: Tuned) -> str:
 
 
 def _left_out(tuned: Tuned) -> list[str]:
-    count = len(tuned.grid.Q) * len(tuned.loads) - len(tuned.checks)
+    count = len(tuned.grid.Q) * len(tuned.loads) - len(_rests(tuned))
     return [f"left out: {plural(count, 'place')} at which the drives do not hold the load"] if count else []
 
 
 def _margins(tuned: Tuned, style: Style) -> list[str]:
-    header = ("axis", "bandwidth\nHz", "gain\nmargin", "phase\nmargin °", "Ms", "worst with", "at")
+    header = ("axis", "bandwidth\nHz", "gain\nmargin", "phase\nmargin °", "Ms", "worst", "with", "at")
     rows = []
     for axis, joint in enumerate(tuned.robot.axis_joints):
-        worst = worst_of(tuned.checks, axis)
-        margins = worst.margins[axis]
-        place = TableCell(tuned.loads[worst.load]), TableCell(_place_words(tuned, worst.place))
-        name, bandwidth = TableCell(joint.name), TableCell(number(float(tuned.bandwidths[axis]), "-"))
-        if not margins.stable:
-            rows.append((name, bandwidth, TableCell("unstable", Tone.ERROR), *(TableCell("-"),) * 2, *place))
-            continue
-        tone = Tone.WARNING if margin_utilisation(margins) > 1.0 else None
-        figures = (
-            TableCell(f"{margins.gain:.3g}" if margins.gain < _LARGE else "large", tone),
-            TableCell(f"{math.degrees(margins.phase):.0f}" if math.isfinite(margins.phase) else "-"),
-            TableCell(f"{margins.sensitivity:.2f}", tone),
-        )
-        rows.append((name, bandwidth, *figures, *place))
+        first = TableCell(joint.name), TableCell(number(float(tuned.bandwidths[axis]), "-"))
+        for worst in _worst(tuned, axis):
+            rows.append((*first, *_worst_row(tuned, worst, axis)))
+            first = TableCell(""), TableCell("")
     return columns_text(header, rows, style)
+
+
+def _worst_row(tuned: Tuned, worst: PlaceCheck, axis: int) -> Iterator[TableCell]:
+    """Yield the margins of an axis, and where it has them."""
+    margins = worst.margins[axis]
+    if margins.stable:
+        tone = Tone.WARNING if margin_utilisation(margins, tuned.needs) > 1.0 else None
+        yield TableCell(f"{margins.gain:.3g}" if margins.gain < _LARGE else "large", tone)
+        yield TableCell(f"{math.degrees(margins.phase):.0f}" if math.isfinite(margins.phase) else "-")
+        yield TableCell(f"{margins.sensitivity:.2f}", tone)
+    else:
+        yield TableCell("unstable", Tone.ERROR)
+        yield TableCell("-")
+        yield TableCell("-")
+    yield TableCell(worst.motion.words)
+    yield TableCell(tuned.loads[worst.load])
+    yield TableCell(_place_words(tuned, worst.place))
 
 
 def _beyond(tuned: Tuned) -> list[str]:
@@ -167,17 +190,18 @@ def _beyond(tuned: Tuned) -> list[str]:
     names = [
         joint.name
         for axis, joint in enumerate(tuned.robot.axis_joints)
-        if margin_utilisation(worst_of(tuned.checks, axis).margins[axis]) > 1.0
+        if margin_utilisation(worst_of(tuned.checks, axis, tuned.needs).margins[axis], tuned.needs) > 1.0
     ]
     if not names:
         return []
     joints = ", ".join(f"joint {one}" for one in names)
-    return [f"not within Ms 2 and a gain margin of 2 at the worst place: {joints}"]
+    needs = f"Ms {tuned.needs.sensitivity:g} and a gain margin of {tuned.needs.gain:g}"
+    return [f"not within {needs} at the worst place: {joints}"]
 
 
 def _slowest(tuned: Tuned, style: Style) -> list[str]:
     """Return the least and the greatest frequency of the slowest oscillation, and a table over two axes."""
-    known = [one for one in tuned.checks if math.isfinite(one.slowest_hz)]
+    known = [one for one in _rests(tuned) if math.isfinite(one.slowest_hz)]
     if not known:
         return ["no loop oscillates at any place"]
     ends = [pick(known, key=lambda one: one.slowest_hz) for pick in (min, max)]
@@ -198,7 +222,7 @@ def _map(tuned: Tuned, style: Style) -> list[str]:
     down = spread[0]
     across = spread[1] if len(spread) > 1 else None
     table: dict[tuple[float, float], float] = {}
-    for one in tuned.checks:
+    for one in _rests(tuned):
         q = tuned.grid.Q[one.place]
         key = float(q[down]), 0.0 if across is None else float(q[across])
         table[key] = float(np.fmin(table.get(key, math.nan), one.slowest_hz))
@@ -220,6 +244,10 @@ def _map(tuned: Tuned, style: Style) -> list[str]:
         style,
     )
     return ["", f"slowest oscillation in Hz {what}, the least of all loads", *lines]
+
+
+def _rests(tuned: Tuned) -> list[PlaceCheck]:
+    return [one for one in tuned.checks if one.motion.is_rest]
 
 
 def _place_words(tuned: Tuned, place: int) -> str:

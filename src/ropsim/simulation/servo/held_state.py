@@ -1,4 +1,4 @@
-"""An arm that its drives hold at rest: the state about which plant and loops are linearised."""
+"""An arm at rest or in steady motion: the state about which plant and loops are linearised."""
 
 from dataclasses import replace
 
@@ -6,7 +6,14 @@ import numpy as np
 
 from ropsim.codegen import Engine
 from ropsim.controller import LawTraits
-from ropsim.dynamics import SteadyDrive, closed_coordinates, compiled, steady_drive, structure_of
+from ropsim.dynamics import (
+    SteadyDrive,
+    closed_coordinates,
+    compiled,
+    passive_ratios,
+    steady_drive,
+    structure_of,
+)
 from ropsim.model import BacklashGear, Drive, ElasticGear, Hydraulic, Payload, RobotModel
 from ropsim.simulation.servo.state import StateLayout
 from ropsim.spatial import Array
@@ -17,11 +24,21 @@ SMALL = 1e-6
 
 def held_drives(robot: RobotModel, q: Array, payload: Payload) -> tuple[SteadyDrive, ...]:
     """Return the drives of an arm that holds itself and its load at rest; arguments as in `held_state`."""
-    rest, tau = np.zeros(robot.n), np.empty(robot.n)
+    return _steady_drives(robot, q, np.zeros(robot.n), payload)
+
+
+def _steady_drives(robot: RobotModel, q: Array, qd: Array, payload: Payload) -> tuple[SteadyDrive, ...]:
+    """Return the drives of an arm that goes on at a speed; their viscous friction is in their efforts."""
+    tau = np.empty(robot.n)
     # a single evaluation: plain Python is faster than compiling it
-    compiled(robot, payload, Engine.PYTHON).rigid_inverse(q, rest, rest, np.zeros(6), tau)
-    places = zip(robot.drives, np.asarray(q, np.float64).tolist(), tau.tolist(), strict=True)
-    return tuple(steady_drive(drive, place, 0.0, effort) for drive, place, effort in places)
+    compiled(robot, payload, Engine.PYTHON).rigid_inverse(q, qd, np.zeros(robot.n), np.zeros(6), tau)
+    places = zip(robot.drives, *(np.asarray(one, np.float64).tolist() for one in (q, qd, tau)), strict=True)
+    return tuple(
+        steady_drive(
+            drive, place, speed, effort + drive.ratio_at(place) ** 2 * drive.friction.viscous * speed
+        )
+        for drive, place, speed, effort in places
+    )
 
 
 def held_state(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Array]:
@@ -32,14 +49,29 @@ def held_state(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Ar
         q: joint coordinates [rad | m], shape (n,).
         payload: tool and part.
     """
+    return steady_state(robot, q, np.zeros(robot.n), payload)
+
+
+def steady_state(robot: RobotModel, q: Array, qd: Array, payload: Payload) -> tuple[Array, Array]:
+    """Return the same of an arm whose axes go on at speeds; its dry friction is left out.
+
+    Args:
+        robot: with drives.
+        q: joint coordinates [rad | m], shape (n,).
+        qd: joint speeds [rad/s | m/s], shape (n,).
+        payload: tool and part.
+    """
     layout = StateLayout.of(structure_of(robot), LawTraits())
     x, u = np.zeros(layout.integrated), np.empty(robot.n)
     x[: robot.n] = q
     if robot.cuts:
         x[list(layout.loops.passive)] = closed_coordinates(robot, q)
-    for axis, held in enumerate(held_drives(robot, q, payload)):
+        x[list(layout.loops.passive_speeds)] = passive_ratios(robot, np.asarray(q)[np.newaxis])[0] @ qd
+    for axis, held in enumerate(_steady_drives(robot, q, qd, payload)):
         x[list(layout.drive(axis))] = held.states
         u[axis] = held.output
+    x[layout.qd] = qd
+    x[list(layout.measured_speeds)] = qd
     return x, u
 
 

@@ -34,7 +34,7 @@ def test_each_axis_makes_a_small_step_and_has_margins(cell: Path, capsys: pytest
     assert main(["controller", "response", str(cell)]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines[0] == "Unimation PUMA 560: computed torque at 1000 Hz, start of the cell, no load"
-    assert [line.split()[0] for line in lines if line[:3] == "  1"] == ["1", "1"]  # a row in each table
+    assert [line.split()[0] for line in lines if line[:3] == "  1"] == ["1"] * 3  # a row in each table
     assert sum("0.5°" in line for line in lines) == 6
 
 

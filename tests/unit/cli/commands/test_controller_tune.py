@@ -33,9 +33,13 @@ def test_a_bandwidth_and_a_damping_make_gains(tmp_path: Path, capsys: pytest.Cap
     assert found["gains"]["kp"] == pytest.approx(omega**2, rel=1e-3)
     assert found["gains"]["kd"] == pytest.approx(1.4 * omega, rel=1e-3)
     assert [one["bandwidth_hz"] for one in found["axes"]] == pytest.approx([5.0, 8.0])
-    slow = [one["slowest_hz"] for one in found["places"]]
+    slow = [one["slowest_hz"] for one in found["places"] if one["motion"] == "at rest"]
+    assert len(found["places"]) == 5 * len(slow)
     assert slow == pytest.approx([slow[0]] * len(slow), rel=1e-3)  # the law knows the arm
     assert all(one["worst"]["stable"] for one in found["axes"])
+    for one in found["axes"]:
+        assert one["at_rest"]["motion"] == "at rest"
+        assert one["worst"]["margins"]["sensitivity"] >= one["at_rest"]["margins"]["sensitivity"]
 
 
 def test_the_printed_lines_are_a_section_of_the_cell_file(

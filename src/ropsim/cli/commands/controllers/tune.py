@@ -21,7 +21,14 @@ from ropsim.model import (
     cube_of_water,
 )
 from ropsim.records import diagnostic_document
-from ropsim.simulation import check_places, largest_bandwidths, mounted_load, place_grid
+from ropsim.simulation import (
+    STANDARD_NEEDS,
+    check_places,
+    held_cases,
+    largest_bandwidths,
+    mounted_load,
+    place_grid,
+)
 from ropsim.spatial import Array
 from ropsim.workbench import open_project
 
@@ -49,7 +56,7 @@ def tune(options: argparse.Namespace, output: Output) -> int:
     grid, loads = place_grid(robot), _loads(station)
     bodies = [load for _, load in loads]
     with Progress(f"tuning {robot.name}") as progress:
-        if not check_places(robot, controller, grid, bodies[:1]):
+        if not held_cases(robot, grid, bodies[:1]):
             raise not_tested("the drives do not hold the arm at any place", "`ropsim check` says why")
         if not can_be_tuned:
             bandwidths = np.full(robot.n, np.nan)
@@ -69,6 +76,7 @@ def tune(options: argparse.Namespace, output: Output) -> int:
         grid,
         tuple(name for name, _ in loads),
         checks,
+        STANDARD_NEEDS,
     )
     ok = all(one.stable for check in checks for one in check.margins)
     output.text(tuning_text(shown, output.style))
