@@ -24,8 +24,6 @@ from ropsim.simulation.response.margins import natural_modes as natural_modes
 from ropsim.simulation.response.margins import plant_modes as plant_modes
 from ropsim.simulation.response.oil_spring import OilSpring as OilSpring
 from ropsim.simulation.response.oil_spring import oil_springs as oil_springs
-from ropsim.simulation.response.place_checks import STANDARD_NEEDS as STANDARD_NEEDS
-from ropsim.simulation.response.place_checks import LoopNeeds as LoopNeeds
 from ropsim.simulation.response.place_checks import PlaceCheck as PlaceCheck
 from ropsim.simulation.response.place_checks import check_places as check_places
 from ropsim.simulation.response.place_checks import held_cases as held_cases
@@ -46,9 +44,7 @@ from ropsim.simulation.response.time_response import lag_of as lag_of
 from ropsim.simulation.response.time_response import ramp_response as ramp_response
 from ropsim.simulation.response.time_response import step_figures as step_figures
 from ropsim.simulation.response.time_response import step_response as step_response
-from ropsim.simulation.response.tuning import Aims as Aims
 from ropsim.simulation.response.tuning import largest_bandwidths as largest_bandwidths
-from ropsim.simulation.response.tuning import standard_aims as standard_aims
 from ropsim.simulation.run import run as run
 from ropsim.simulation.servo.diagnostics import DivergedError as DivergedError
 from ropsim.simulation.servo.diagnostics import DriveDataError as DriveDataError

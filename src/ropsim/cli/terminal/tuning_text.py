@@ -9,11 +9,11 @@ import numpy as np
 from ropsim.cli.terminal.response_text import margins_entry, number, plain
 from ropsim.core import plural
 from ropsim.model import LAW_WORDS, ROBOT, ControllerModel, JointType, RobotModel, gain_names
-from ropsim.simulation import LoopNeeds, PlaceCheck, PlaceGrid, margin_utilisation, worst_of
+from ropsim.simulation import PlaceCheck, PlaceGrid, margin_utilisation, worst_of
 from ropsim.spatial import Array, record
 from ropsim.views import Style, TableCell, Tone, columns_text
 
-_KEYS = ("kp", "kd", "kv", "ki")
+_KEYS = ("kp", "kd", "kv", "ki", "corner", "lead", "swing")
 """Gains that follow from bandwidths; the others stay as in the standard controller."""
 _LARGE = 1e3
 _COLUMNS = 80
@@ -28,11 +28,10 @@ class Tuned:
         robot: the arm.
         controller: with the gains.
         bandwidths: of the axes [Hz], shape (n,); NaN for a law whose gains do not follow from bandwidths.
-        damping: of the axes.
+        damping: of the axes; NaN for a law whose gains do not follow from one.
         grid: the places.
         loads: in words.
         checks: at all places with all loads, at rest and in slow motion.
-        needs: margins that each loop should keep.
     """
 
     station: str
@@ -43,14 +42,15 @@ class Tuned:
     grid: PlaceGrid
     loads: tuple[str, ...]
     checks: tuple[PlaceCheck, ...]
-    needs: LoopNeeds
 
 
 def tuning_text(tuned: Tuned, style: Style) -> str:
     """Return margins at the worst places, a map of the slowest oscillation, and the lines of the gains."""
     robot, law = tuned.robot, LAW_WORDS[tuned.controller.kind]
     hz, has_rule = tuned.controller.rates.control_hz, _has_rule(tuned)
-    damping = f"damping {tuned.damping:.3g}" if has_rule else "present gains"
+    damping = "gains of its rule, by bandwidth" if has_rule else "present gains"
+    if math.isfinite(tuned.damping) and has_rule:
+        damping = f"damping {tuned.damping:.3g}"
     title = f"{robot.title or robot.name}: {law} at {hz} Hz, {damping}"
     sections = [
         [
@@ -95,7 +95,7 @@ def tuning_document(tuned: Tuned) -> dict[str, object]:
         "station": tuned.station,
         "law": tuned.controller.kind.value,
         "control_hz": tuned.controller.rates.control_hz,
-        "damping": tuned.damping if _has_rule(tuned) else None,
+        "damping": plain(tuned.damping) if _has_rule(tuned) else None,
         "loads": list(tuned.loads),
         "counts": list(tuned.grid.counts),
         "gains": {name: getattr(gains, name).tolist() for name in gain_names(gains)},
@@ -106,7 +106,7 @@ def tuning_document(tuned: Tuned) -> dict[str, object]:
 
 
 def _axis_entry(tuned: Tuned, axis: int, name: str) -> dict[str, object]:
-    worst = worst_of(tuned.checks, axis, tuned.needs)
+    worst = worst_of(tuned.checks, axis)
     return {
         "axis": name,
         "bandwidth_hz": plain(float(tuned.bandwidths[axis])),
@@ -127,7 +127,7 @@ def _worst_entry(tuned: Tuned, axis: int, worst: PlaceCheck) -> dict[str, object
 def _worst(tuned: Tuned, axis: int) -> tuple[PlaceCheck, ...]:
     """Return the worst check of an axis at rest, and in slow motion if there is any."""
     groups = ([one for one in tuned.checks if one.motion.is_rest is still] for still in (True, False))
-    return tuple(worst_of(group, axis, tuned.needs) for group in groups if group)
+    return tuple(worst_of(group, axis) for group in groups if group)
 
 
 def _place_entry(tuned: Tuned, one: PlaceCheck) -> dict[str, object]:
@@ -172,7 +172,7 @@ def _worst_row(tuned: Tuned, worst: PlaceCheck, axis: int) -> Iterator[TableCell
     """Yield the margins of an axis, and where it has them."""
     margins = worst.margins[axis]
     if margins.stable:
-        tone = Tone.WARNING if margin_utilisation(margins, tuned.needs) > 1.0 else None
+        tone = Tone.WARNING if margin_utilisation(margins) > 1.0 else None
         yield TableCell(f"{margins.gain:.3g}" if margins.gain < _LARGE else "large", tone)
         yield TableCell(f"{math.degrees(margins.phase):.0f}" if math.isfinite(margins.phase) else "-")
         yield TableCell(f"{margins.sensitivity:.2f}", tone)
@@ -190,13 +190,12 @@ def _beyond(tuned: Tuned) -> list[str]:
     names = [
         joint.name
         for axis, joint in enumerate(tuned.robot.axis_joints)
-        if margin_utilisation(worst_of(tuned.checks, axis, tuned.needs).margins[axis], tuned.needs) > 1.0
+        if margin_utilisation(worst_of(tuned.checks, axis).margins[axis]) > 1.0
     ]
     if not names:
         return []
     joints = ", ".join(f"joint {one}" for one in names)
-    needs = f"Ms {tuned.needs.sensitivity:g} and a gain margin of {tuned.needs.gain:g}"
-    return [f"not within {needs} at the worst place: {joints}"]
+    return [f"not within Ms 2 and a gain margin of 2 at the worst place: {joints}"]
 
 
 def _slowest(tuned: Tuned, style: Style) -> list[str]:

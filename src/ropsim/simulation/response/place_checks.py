@@ -16,25 +16,12 @@ from ropsim.simulation.response.slow_motions import (
 )
 from ropsim.spatial import record
 
+MOST_SENSITIVITY = 2.0
+"""Largest Ms of a loop that bears its model being somewhat wrong."""
+LEAST_GAIN_MARGIN = 2.0
+"""Least gain margin of the same."""
 Reported = Callable[[float, str], None]
 """Receives the share that is done and the present activity."""
-
-
-@record
-class LoopNeeds:
-    """Margins that a loop should keep.
-
-    Attributes:
-        gain: least gain margin.
-        sensitivity: largest Ms.
-    """
-
-    gain: float
-    sensitivity: float
-
-
-STANDARD_NEEDS = LoopNeeds(2.0, 2.0)
-"""Of a loop that bears its model being somewhat wrong."""
 
 
 @record
@@ -124,17 +111,17 @@ def checks_at(
     return tuple(found)
 
 
-def worst_of(checks: Sequence[PlaceCheck], axis: int, needs: LoopNeeds = STANDARD_NEEDS) -> PlaceCheck:
+def worst_of(checks: Sequence[PlaceCheck], axis: int) -> PlaceCheck:
     """Return the check at which an axis has the largest `margin_utilisation`."""
-    return max(checks, key=lambda one: margin_utilisation(one.margins[axis], needs))
+    return max(checks, key=lambda one: margin_utilisation(one.margins[axis]))
 
 
-def margin_utilisation(found: Margins, needs: LoopNeeds = STANDARD_NEEDS) -> float:
+def margin_utilisation(found: Margins) -> float:
     """Return how far a loop uses up its margins: beyond 1 it has less of them than it should.
 
-    It is the larger one of Ms over the one that it needs, and of the needed gain margin over that it has; inf
+    It is the larger one of Ms over `MOST_SENSITIVITY` and `LEAST_GAIN_MARGIN` over the gain margin; inf
     where the closed loop is unstable.
     """
     if not found.stable:
         return float("inf")
-    return max(found.sensitivity / needs.sensitivity, needs.gain / found.gain)
+    return max(found.sensitivity / MOST_SENSITIVITY, LEAST_GAIN_MARGIN / found.gain)

@@ -7,8 +7,6 @@ import numpy as np
 from ropsim.model import ControllerModel, Payload, RobotModel
 from ropsim.simulation.response.linearised import ServoLoop
 from ropsim.simulation.response.place_checks import (
-    STANDARD_NEEDS,
-    LoopNeeds,
     PlaceCheck,
     Reported,
     checks_at,
@@ -19,7 +17,7 @@ from ropsim.simulation.response.place_checks import (
 )
 from ropsim.simulation.response.places import PlaceGrid
 from ropsim.simulation.response.slow_motions import SlowMotion, rest_of
-from ropsim.spatial import Array, frozen, record
+from ropsim.spatial import Array, record
 
 _FACTORS = 2.0 ** (0.5 * np.arange(-4.0, 9.0))
 """By these the bandwidth of an axis is tried: too low ones do not hold an arm with compensated weight."""
@@ -27,6 +25,8 @@ _ROUNDS = 3
 """Halvings of the last step between two of them: to a share of 1.04."""
 _LESS = 0.9
 """By this factor bandwidths are lowered while places have too little margin."""
+_SLIGHTLY = 0.99
+"""The same while slow motions have too little."""
 _LOWERINGS = 24
 _MANY = 50
 """Cases from which on their progress is reported."""
@@ -38,26 +38,6 @@ Case = tuple[int, int, SlowMotion]
 
 
 @record
-class Aims:
-    """What a search of bandwidths may do, and what it keeps.
-
-    Attributes:
-        needs: margins of every loop.
-        factors: by which bandwidths are tried, all axes together, rising.
-        alone: axes that are then raised one by one.
-    """
-
-    needs: LoopNeeds
-    factors: Array
-    alone: tuple[int, ...]
-
-
-def standard_aims(n: int) -> Aims:
-    """Return the aims of an arm with n axes: from a quarter to sixteen times the start, then each axis."""
-    return Aims(STANDARD_NEEDS, frozen(_FACTORS), tuple(range(n)))
-
-
-@record
 class _Search:
     """The data for a judgement of bandwidths.
 
@@ -66,7 +46,6 @@ class _Search:
         built: makes controllers.
         grid: places.
         loads: at the mechanical interface.
-        needs: margins.
         reported: receives the progress, or None.
     """
 
@@ -74,7 +53,6 @@ class _Search:
     built: Built
     grid: PlaceGrid
     loads: Sequence[Payload]
-    needs: LoopNeeds
     reported: Reported | None
 
     def rests(self) -> tuple[Case, ...]:
@@ -110,14 +88,14 @@ class _Search:
         return float(self._utilisations(checks).max())
 
     def _utilisations(self, checks: Sequence[PlaceCheck]) -> Array:
-        worst = (worst_of(checks, k, self.needs).margins[k] for k in range(self.robot.n))
-        return np.array([margin_utilisation(one, self.needs) for one in worst])
+        worst = (worst_of(checks, k).margins[k] for k in range(self.robot.n))
+        return np.array([margin_utilisation(one) for one in worst])
 
     def worst_cases(self, checks: Sequence[PlaceCheck]) -> tuple[Case, ...]:
         """Return the cases at which an axis has its largest Ms or its least gain margin."""
         found = []
         for axis in range(self.robot.n):
-            found.append(worst_of(checks, axis, self.needs))
+            found.append(worst_of(checks, axis))
             found.append(max(checks, key=lambda one: one.margins[axis].sensitivity))
             found.append(min(checks, key=lambda one: one.margins[axis].gain))
         cases = {(one.place, one.load, one.motion.words): one.motion for one in found}
@@ -131,13 +109,14 @@ def largest_bandwidths(
     grid: PlaceGrid,
     loads: Sequence[Payload],
     reported: Reported | None = None,
-    aims: Aims | None = None,
+    alone: Sequence[int] = (),
 ) -> Array:
     """Return large bandwidths with which all loops keep their margins, to a few per cent.
 
-    First all axes are raised or lowered together: with loops that differ much in speed, an arm whose mass
-    matrix is nearly singular bears little at each drive. Then each axis is raised as far as the loops of all
-    bear it. Both go by the worst places, and are lowered until all places agree, at rest and in slow motion.
+    First all axes are raised or lowered together, from a quarter to sixteen times the start: with loops that
+    differ much in speed, an arm whose mass matrix is nearly singular bears little at each drive. Then some
+    are raised as far as the loops of all bear it. Both go by the worst places, and are lowered until all
+    places agree, at rest and in slow motion.
 
     Args:
         robot: with drives.
@@ -146,23 +125,22 @@ def largest_bandwidths(
         grid: places, at one of which at least it holds itself.
         loads: at the mechanical interface.
         reported: receives the progress, or None.
-        aims: None for `standard_aims`.
+        alone: axes that are raised one by one behind that; none where loops should differ as they do.
 
     Returns:
         Bandwidths [rad/s], shape (n,): where none keep them, the nearest ones.
     """
-    aims = aims or standard_aims(robot.n)
-    search = _Search(robot, built, grid, loads, aims.needs, reported)
+    search = _Search(robot, built, grid, loads, reported)
     rests = search.rests()
-    common, is_kept = _together(search, start, rests, aims)
-    found = _alone(search, common, rests, aims) if is_kept else common
+    common, is_kept = _together(search, start, rests)
+    found = _alone(search, common, rests, alone) if is_kept else common
     return _in_motion(search, found) if is_kept else found
 
 
-def _together(search: _Search, start: Array, rests: Sequence[Case], aims: Aims) -> tuple[Array, bool]:
+def _together(search: _Search, start: Array, rests: Sequence[Case]) -> tuple[Array, bool]:
     """Return the largest bandwidths that are all the same multiple of the start, and whether they do."""
     cases = search.worst_cases(search.checks(start, rests))
-    common = start * _largest(lambda factor: search.utilisation_at(start * factor, cases), aims.factors)
+    common = start * _largest(lambda factor: search.utilisation_at(start * factor, cases), _FACTORS)
     for _ in range(_LOWERINGS):
         if search.utilisation_at(common, rests) <= 1.0 or search.utilisation_at(common, cases) > 1.0:
             break
@@ -170,19 +148,19 @@ def _together(search: _Search, start: Array, rests: Sequence[Case], aims: Aims) 
     return common, search.utilisation_at(common, cases) <= 1.0
 
 
-def _alone(search: _Search, common: Array, rests: Sequence[Case], aims: Aims) -> Array:
+def _alone(search: _Search, common: Array, rests: Sequence[Case], alone: Sequence[int]) -> Array:
     """Return bandwidths of which some axes are larger, as long as the loops of all bear it."""
     found, cases = common.copy(), search.worst_cases(search.checks(common, rests))
-    for axis in aims.alone:
+    for axis in alone:
         if search.reported:
-            search.reported(axis / len(aims.alone), "bandwidths one by one")
+            search.reported(axis / search.robot.n, "bandwidths one by one")
 
         def utilised(factor: float, axis: int = axis) -> float:
             tried = found.copy()
             tried[axis] *= factor
             return search.utilisation_at(tried, cases)
 
-        found[axis] *= _largest(utilised, aims.factors[aims.factors >= 1.0])
+        found[axis] *= _largest(utilised, _FACTORS[_FACTORS >= 1.0])
     for _ in range(_LOWERINGS):
         utilisations = search.utilisations(found, rests)
         if utilisations.max() <= 1.0:
@@ -210,7 +188,7 @@ def _in_motion(search: _Search, found: Array) -> Array:
             break
         cases = search.worst_cases(checks)
         for _ in range(_LOWERINGS):
-            lower = _LESS * lower
+            lower = _SLIGHTLY * lower
             now = search.utilisation_at(lower, cases)
             if now <= 1.0 or now >= used:
                 break

@@ -50,9 +50,9 @@ within the range of the joint, ramps below its speed, both in the unit of the ax
 control rate. A robot whose model has no drives follows its reference exactly: it has no
 loop to test.
 
-`ropsim controller tune` has gains for computed torque and for loops of fixed gains, the laws whose gains
-follow from a bandwidth and a damping ratio: one bandwidth for all axes or one for each, up to a quarter of
-the control rate.
+`ropsim controller tune` has gains for the built-in laws: one bandwidth for all axes or one for each, up to a
+quarter of the control rate; computed torque and loops of fixed gains also have a damping ratio. A law of a
+file is judged as it is.
 
 A page (`--report`) replaces neither a folder nor a text of the project.
 """,
