@@ -31,6 +31,7 @@ from ropsim.robots.loops.hydraulic_gains import parallel_pi_gains as parallel_pi
 from ropsim.robots.loops.torque_loops import standard_torque_gains as standard_torque_gains
 from ropsim.robots.loops.tuned_loops import STANDARD_DAMPING as STANDARD_DAMPING
 from ropsim.robots.loops.tuned_loops import can_be_tuned as can_be_tuned
+from ropsim.robots.loops.tuned_loops import has_damping as has_damping
 from ropsim.robots.loops.tuned_loops import loop_bandwidths as loop_bandwidths
 from ropsim.robots.loops.tuned_loops import tuned_controller as tuned_controller
 from ropsim.robots.path_limits_of_joints import TOOL_LENGTH as TOOL_LENGTH

@@ -1,6 +1,5 @@
 """Files of joint controllers, damaged: mostly in numbers, references and entities."""
 
-import re
 from functools import lru_cache
 from random import Random
 
@@ -19,10 +18,9 @@ from ropsim.blockdiagram import (
 from ropsim.core import SourceText
 from ropsim.model import JointType
 from ropsim.views import Style, diagnostics_text
-from support.fuzzing.mutation import TEXT, mutated, numeral, word
+from support.fuzzing.mutation import damaged_exchange
 from support.fuzzing.target import Target
 
-_REFERENCE, _KEYWORD = re.compile(rb"#\d+"), re.compile(rb"(?<==)[A-Z_0-9]+")
 _ENTITIES = (b"SIGNAL", b"GAIN", b"PID", b"SUM", b"STATE_SPACE", b"LINK", b"CONTROLLER", b"BLOCK", b"DELAY")
 _SHOWN = 5  # findings that are written out
 
@@ -40,28 +38,7 @@ def _texts() -> tuple[bytes, ...]:
 
 
 def _made(random: Random) -> bytes:
-    content = random.choice(_texts())
-    for _ in range(random.choice((0, 1, 1, 2, 3))):
-        choice = random.random()
-        if choice < 0.3:
-            content = _exchanged(random, content, _REFERENCE, b"#%d" % random.randint(1, 40))
-        elif choice < 0.5:
-            content = _exchanged(random, content, _KEYWORD, random.choice(_ENTITIES))
-        elif choice < 0.8:
-            content = numeral(random, content)
-        elif choice < 0.9:
-            content = word(random, content)
-        else:
-            content = mutated(random, content, TEXT)
-    return content
-
-
-def _exchanged(random: Random, content: bytes, pattern: re.Pattern[bytes], new: bytes) -> bytes:
-    found = list(pattern.finditer(content))
-    if not found:
-        return content
-    one = random.choice(found)
-    return content[: one.start()] + new + content[one.end() :]
+    return damaged_exchange(random, random.choice(_texts()), _ENTITIES, 40)
 
 
 def _take(content: bytes) -> str:

@@ -13,6 +13,7 @@ from support.fuzzing.values import DEPTHS, DOUBLES, INTEGERS, NUMBERS, TEXTS, VA
 
 _NUMBER = re.compile(rb"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 _WORD = re.compile(rb"[A-Za-z_.]+")
+_REFERENCE, _KEYWORD = re.compile(rb"#\d+"), re.compile(rb"(?<==)[A-Z_0-9]+")
 _BRACKETS = ((b"[", b"]"), (b"{", b"}"), (b"(", b")"), (b'{"a":', b"}"), (b"[[", b""), (b"if (", b""))
 _LARGEST = 150_000  # bytes of a changed input
 _PLACES = 3000  # among which one is chosen
@@ -170,3 +171,35 @@ def _places(whole: list[Any]) -> list[tuple[Any, Any]]:
             if isinstance(holder[key], (dict, list)):
                 waiting.append(holder[key])
     return found
+
+
+def damaged_exchange(random: Random, content: bytes, entities: Sequence[bytes], most: int) -> bytes:
+    """Return an exchange file after up to three changes, most of which keep its syntax.
+
+    Args:
+        random: numbers.
+        content: of a right file.
+        entities: names that are put in place of others.
+        most: largest number that is put in place of one of an instance.
+    """
+    for _ in range(random.choice((0, 1, 1, 2, 3))):
+        choice = random.random()
+        if choice < 0.3:
+            content = _exchanged(random, content, _REFERENCE, b"#%d" % random.randint(1, most))
+        elif choice < 0.5:
+            content = _exchanged(random, content, _KEYWORD, random.choice(entities))
+        elif choice < 0.8:
+            content = numeral(random, content)
+        elif choice < 0.9:
+            content = word(random, content)
+        else:
+            content = mutated(random, content, TEXT)
+    return content
+
+
+def _exchanged(random: Random, content: bytes, pattern: re.Pattern[bytes], new: bytes) -> bytes:
+    found = list(pattern.finditer(content))
+    if not found:
+        return content
+    one = random.choice(found)
+    return content[: one.start()] + new + content[one.end() :]

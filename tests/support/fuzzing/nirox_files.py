@@ -1,6 +1,5 @@
 """NIROX files, damaged: mostly in numbers, references and entities, so that most keep their syntax."""
 
-import re
 from dataclasses import replace
 from functools import lru_cache
 from random import Random
@@ -15,7 +14,7 @@ from ropsim.nirox import nirox_schema, read_nirox, write_nirox
 from ropsim.spatial import Pose
 from ropsim.views import Style, diagnostics_text
 from support.exchange_laws import random_chain
-from support.fuzzing.mutation import TEXT, mutated, numeral, word
+from support.fuzzing.mutation import damaged_exchange
 from support.fuzzing.target import Target
 from support.nirox_texts import TEXT as HAND
 from support.nirox_texts import WEIGHED_PLAIN
@@ -24,7 +23,6 @@ from support.trees import random_tree
 _CUT = LoopCut(-1, Pose(), 4, Pose(), ALL_DIRECTIONS[:5])
 _SPRING = Spring("spring", -1, np.zeros(3), 1, np.ones(3), 100.0, 0.2, 1.0)
 _ON_JOINT = JointSpring("on joint", 0, 10.0, 0.1)
-_REFERENCE, _KEYWORD = re.compile(rb"#\d+"), re.compile(rb"(?<==)[A-Z_0-9]+")
 _SHOWN = 5  # findings that are written out
 
 
@@ -52,28 +50,7 @@ def _entities() -> tuple[bytes, ...]:
 
 
 def _made(random: Random) -> bytes:
-    content = random.choice(_texts())
-    for _ in range(random.choice((0, 1, 1, 2, 3))):
-        choice = random.random()
-        if choice < 0.3:
-            content = _exchanged(random, content, _REFERENCE, b"#%d" % random.randint(1, 262))
-        elif choice < 0.5:
-            content = _exchanged(random, content, _KEYWORD, random.choice(_entities()))
-        elif choice < 0.8:
-            content = numeral(random, content)
-        elif choice < 0.9:
-            content = word(random, content)
-        else:
-            content = mutated(random, content, TEXT)
-    return content
-
-
-def _exchanged(random: Random, content: bytes, pattern: re.Pattern[bytes], new: bytes) -> bytes:
-    found = list(pattern.finditer(content))
-    if not found:
-        return content
-    one = random.choice(found)
-    return content[: one.start()] + new + content[one.end() :]
+    return damaged_exchange(random, random.choice(_texts()), _entities(), 262)
 
 
 def _take(content: bytes) -> str:

@@ -91,7 +91,7 @@ def test_the_report_says_that_a_stop_is_not_reached_and_by_how_much_it_was_passe
     summary = summarize(cut_off())
     stop, text = summary.stops[0], terminal_report(summary, Style.PLAIN)
     assert f"! not reached: 1 of 1, farthest {stop.away * 1e3:.3f} mm (line 3 pass 1)" in text
-    assert f"position overshoot OV: max {stop.overshoot * 1e3:.3f} mm (line 3 pass 1)" in text
+    assert f"overshoot at stops: max {stop.overshoot * 1e3:.3f} mm (line 3 pass 1)" in text
     assert verdict(summary).kind is not Verdict.GOOD
 
 

@@ -13,7 +13,7 @@ Commands: TypeAlias = "argparse._SubParsersAction[Parser]"
 
 
 _CHOICE = re.compile(r"invalid choice: '(.*)' \(choose from (.*)\)$", re.DOTALL)
-_NEGATIVE = re.compile(r"-(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?:(?:deg|mm)(?:/s)?)?$")
+_NEGATIVE = re.compile(r"-(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?:[a-zA-Z°][a-zA-Z°/]*)?$")
 
 
 class Parser(argparse.ArgumentParser):

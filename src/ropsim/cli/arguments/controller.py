@@ -1,12 +1,9 @@
 """Commands about the controller of a cell."""
 
 import argparse
-import re
 
 from ropsim.cli.arguments.command import Commands, command
-
-_QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(deg|mm)?(/s)?\s*")
-_RANGE = re.compile(r"\s*(\d+\.?\d*)\s*(?:Hz)?\s*\.\.\s*(\d+\.?\d*)\s*(?:Hz)?\s*", re.IGNORECASE)
+from ropsim.cli.arguments.quantities import FREQUENCY, band, coordinate, reader, speed, step
 
 
 def controller(commands: Commands) -> None:
@@ -34,13 +31,13 @@ def _response(actions: Commands) -> None:
     parser.add_argument("--station", metavar="NAME", help="whose controller (default: the first one)")
     excitation = parser.add_mutually_exclusive_group()
     excitation.add_argument(
-        "--step", metavar="SIZE", type=_size, help="step of the reference, such as 5deg or 2mm"
+        "--step", metavar="SIZE", type=step, help="step of the reference, such as 5deg or 2mm"
     )
     excitation.add_argument(
-        "--ramp", metavar="SPEED", type=_speed, help="speed of the reference from rest, such as 20deg/s"
+        "--ramp", metavar="SPEED", type=speed, help="speed of the reference from rest, such as 20deg/s"
     )
     excitation.add_argument(
-        "--sweep", metavar="F1..F2", type=_band, help="sines of these frequencies, such as 1..50Hz"
+        "--sweep", metavar="F1..F2", type=band, help="sines of these frequencies, such as 1..50Hz"
     )
     place = parser.add_mutually_exclusive_group()
     place.add_argument("--at", metavar="LOCATION", help="where the tool is (default: where the cell begins)")
@@ -48,7 +45,7 @@ def _response(actions: Commands) -> None:
         "--joints",
         metavar="DEG",
         nargs="+",
-        type=float,
+        type=coordinate,
         help="joint coordinates in degrees (mm for sliding joints)",
     )
     parser.add_argument(
@@ -67,7 +64,11 @@ def _tune(actions: Commands) -> None:
     parser.add_argument("path", metavar="PATH", help="project folder, its cell.toml, or one of its programs")
     parser.add_argument("--station", metavar="NAME", help="whose controller (default: the first one)")
     parser.add_argument(
-        "--bandwidth", metavar="HZ", nargs="+", type=float, help="of all axes, or one for each axis [Hz]"
+        "--bandwidth",
+        metavar="HZ",
+        nargs="+",
+        type=reader("frequency", FREQUENCY),
+        help="of all axes, or one for each axis, such as 5Hz",
     )
     parser.add_argument(
         "--damping", metavar="D", type=_ratio, help="damping ratio of the axes (default: 0.91)"
@@ -83,27 +84,3 @@ def _ratio(text: str) -> float:
     if not 0.1 <= value <= 10.0:
         raise argparse.ArgumentTypeError(f"`{text}` is no damping ratio from 0.1 to 10")
     return value
-
-
-def _size(text: str) -> tuple[float, str]:
-    """Return a step in degrees or millimetres, and its unit, empty for none."""
-    found = _QUANTITY.fullmatch(text)
-    if found is None or found[3] or not float(found[1]):
-        raise argparse.ArgumentTypeError(f"`{text}` is no step such as 5deg or 2mm")
-    return float(found[1]), found[2] or ""
-
-
-def _speed(text: str) -> tuple[float, str]:
-    """Return a speed in degrees or millimetres per second, and the unit of its way, empty for none."""
-    found = _QUANTITY.fullmatch(text)
-    if found is None or (found[2] and not found[3]) or not float(found[1]):
-        raise argparse.ArgumentTypeError(f"`{text}` is no speed such as 20deg/s or 50mm/s")
-    return float(found[1]), found[2] or ""
-
-
-def _band(text: str) -> tuple[float, float]:
-    """Return the least and the greatest frequency [Hz]."""
-    found = _RANGE.fullmatch(text)
-    if found is None or not 0.0 < float(found[1]) < float(found[2]):
-        raise argparse.ArgumentTypeError(f"`{text}` is no range of frequencies such as 1..50Hz")
-    return float(found[1]), float(found[2])

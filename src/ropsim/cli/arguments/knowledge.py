@@ -4,6 +4,7 @@ import argparse
 import re
 
 from ropsim.cli.arguments.command import Commands, command, lazy
+from ropsim.cli.arguments.quantities import TIME, quantity
 
 _BASE = "project folder, a folder of .pl files, or one of them"
 _STATE = "a fact that is true before, may stand several times (default: what the cell tells)"
@@ -11,7 +12,7 @@ _STATE = "a fact that is true before, may stand several times (default: what the
 
 def _seconds(text: str) -> float:
     """Return a time for which something may work [s]."""
-    value = float(text)
+    value = quantity(text, "time", TIME)
     if not 0.0 < value < 1e6:
         raise argparse.ArgumentTypeError(f"{text} is no time above 0 and below 1000000 s")
     return value

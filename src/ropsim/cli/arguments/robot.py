@@ -1,9 +1,9 @@
 """`ropsim robot`."""
 
 import argparse
-from math import isfinite
 
 from ropsim.cli.arguments.command import Commands, command
+from ropsim.cli.arguments.quantities import MASS, coordinate, coordinate_of, quantity
 
 _ROBOT = "name of a robot, see `ropsim robot list`, or a robot file"
 _CLASSES = ("industrial", "cobot", "seven-axis", "scara", "palletizer")
@@ -72,15 +72,24 @@ def robot(commands: Commands) -> None:
     forward = command(actions, "fk", "robot:fk", "print the pose of the mechanical interface (the flange)")
     _of_robot(forward)
     forward.add_argument(
-        "q", metavar="DEG", nargs="+", type=float, help="joint coordinates in degrees (mm for sliding joints)"
+        "q",
+        metavar="DEG",
+        nargs="+",
+        type=coordinate,
+        help="joint coordinates in degrees (mm for sliding joints)",
     )
     inverse = command(actions, "ik", "ik:ik", "print every posture that reaches a pose of the flange")
     _of_robot(inverse)
     for name in ("x", "y", "z"):
-        inverse.add_argument(name, metavar=name.upper(), type=float, help="position in the base frame [mm]")
+        inverse.add_argument(
+            name, metavar=name.upper(), type=coordinate_of("mm"), help="position in the base frame [mm]"
+        )
     for name, axis in (("roll", "x"), ("pitch", "y"), ("yaw", "z")):
         inverse.add_argument(
-            name, metavar=name.upper(), type=float, help=f"turn about the fixed {axis} axis [deg]"
+            name,
+            metavar=name.upper(),
+            type=coordinate_of("deg"),
+            help=f"turn about the fixed {axis} axis [deg]",
         )
     _workspace(actions)
 
@@ -165,7 +174,7 @@ def _workspace(actions: Commands) -> None:
 
 def _of_frame(text: str) -> float:
     """Return a coordinate of a tool or a base [mm | deg]."""
-    value = float(text)
+    value = quantity(text, "coordinate of a tool or a base", {})
     if not abs(value) <= 1e6:
         raise argparse.ArgumentTypeError(f"{text} is no number from -1000000 to 1000000")
     return value
@@ -177,10 +186,7 @@ def _kilograms(text: str) -> float:
     Raises:
         ArgumentTypeError: it is no number, or not within 1 g and 100 t.
     """
-    try:
-        value = float(text)
-    except ValueError:
-        value = 0.0
-    if not (isfinite(value) and 1e-3 <= value <= 1e5):
+    value = quantity(text, "mass", MASS)
+    if not 1e-3 <= value <= 1e5:
         raise argparse.ArgumentTypeError(f"`{text[:40]}` is no mass, allowed is 0.001 to 100000 kg")
     return value

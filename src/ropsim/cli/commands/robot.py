@@ -174,8 +174,9 @@ def fk(options: argparse.Namespace, output: Output) -> int:
     if len(options.q) != robot.n:
         message = f"`{robot.name}` has {robot.n} joints, given: {len(options.q)}"
         raise JointCountError(WRONG_COUNT.at(None, message))
-    check_coordinates(joint_coordinates(robot, options.q))
-    pose = kinematics.forward(robot, np.array(options.q) / _scales(robot))
+    given = joint_coordinates(robot, options.q)
+    check_coordinates(given)
+    pose = kinematics.forward(robot, np.array([one.value for one in given]) / _scales(robot))
     x, y, z = (shown(1e3 * float(c), 3) for c in pose.position)
     w, i, j, k = (float(c) for c in pose.orientation)
     yaw, pitch, roll = (shown(math.degrees(angle), 4) for angle in quaternion.to_zyx((w, i, j, k)))

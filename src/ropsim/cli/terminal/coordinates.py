@@ -20,7 +20,8 @@ BEYOND_SENSE = define(
     """
 Angles go up to 36,000 degrees (a hundred turns) either way, lengths up to 100,000 mm (100 m), as positions in
 cell files do. A larger number, or none (`nan`, `inf`), comes from a slip of the pen or a failed computation:
-what it leaves behind the full turns would mean nothing.
+what it leaves behind the full turns would mean nothing. A joint that turns has degrees (or `rad`), one that
+slides millimetres (or `cm`, `m`); without a unit numbers are degrees and millimetres.
 """,
     Category.USAGE,
 )
@@ -39,10 +40,21 @@ class Coordinate:
     value: float
 
 
-def joint_coordinates(robot: RobotModel, values: Iterable[float]) -> list[Coordinate]:
-    """Return the coordinates of the joints of a robot; one value each [deg | mm]."""
-    joints = zip(robot.axis_joints, values, strict=True)
-    return [Coordinate(f"joint `{joint.name}`", joint.measure, value) for joint, value in joints]
+def joint_coordinates(robot: RobotModel, given: Iterable[tuple[float, str]]) -> list[Coordinate]:
+    """Return the coordinates of the joints of a robot; one value each [deg | mm], with its unit or none.
+
+    Raises:
+        CoordinateError: U903, a joint that turns has a length, or one that slides an angle.
+    """
+    found = []
+    for joint, (value, unit) in zip(robot.axis_joints, given, strict=True):
+        turns = joint.measure is JointType.REVOLUTE
+        if unit and unit != ("deg" if turns else "mm"):
+            moves = "turns, its unit is deg" if turns else "slides, its unit is mm"
+            message = f"`{unit}` for joint `{joint.name}`, which {moves}"
+            raise CoordinateError(BEYOND_SENSE.at(None, message, hint="give the unit of this axis"))
+        found.append(Coordinate(f"joint `{joint.name}`", joint.measure, value))
+    return found
 
 
 def check_coordinates(given: Iterable[Coordinate]) -> None:

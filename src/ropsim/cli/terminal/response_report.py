@@ -13,6 +13,7 @@ from ropsim.cli.terminal.response_text import (
     in_time,
     margins_table,
     notes,
+    slow_table,
 )
 from ropsim.model import JointType
 from ropsim.simulation import TimeResponse
@@ -26,7 +27,10 @@ _LOWEST = 0.1
 
 def response_records(rest: Rest, tested: Sequence[TestedAxis]) -> LoopPage:
     """Return the page of a station at rest, as records."""
-    tables = [_table("Margins of each loop, all others closed.", margins_table(rest, tested))]
+    tables = [
+        _table("Margins of each loop about the rest, all others closed.", margins_table(rest, tested)),
+        _table("The same in the slow motion in which they are the worst.", slow_table(rest, tested)),
+    ]
     if any(one.response for one in tested):
         what = (
             "Answers to a ramp of the reference." if rest.is_ramp else "Answers to a step of the reference."

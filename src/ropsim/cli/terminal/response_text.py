@@ -6,7 +6,18 @@ from dataclasses import fields
 from typing import TypeAlias
 
 from ropsim.model import LAW_WORDS, ControllerModel, JointType, Linkage, RobotModel
-from ropsim.simulation import FrequencyResponse, Margins, OilSpring, TimeResponse, lag_of, step_figures
+from ropsim.simulation import (
+    FrequencyResponse,
+    LinearLoop,
+    Margins,
+    OilSpring,
+    SlowMotion,
+    TimeResponse,
+    lag_of,
+    margin_utilisation,
+    margins_of_all,
+    step_figures,
+)
 from ropsim.spatial import Array, record
 from ropsim.views import Style, TableCell, Tone, columns_text
 
@@ -47,6 +58,19 @@ class Rest:
 
 
 @record
+class MovingAxis:
+    """The slow motion in which the loop of an axis has the least margins.
+
+    Attributes:
+        motion: that motion; of an arm whose drives make none the rest.
+        margins: of the axis in it.
+    """
+
+    motion: SlowMotion
+    margins: Margins
+
+
+@record
 class TestedAxis:
     """An axis and the behaviour of its loop.
 
@@ -57,6 +81,7 @@ class TestedAxis:
         bandwidth: of its loop [Hz]; NaN for none.
         sweep: response to the requested sines; None for none.
         sines: response to sines of many frequencies.
+        slow: the slow motion in which its margins are the worst.
     """
 
     axis: int
@@ -65,6 +90,7 @@ class TestedAxis:
     bandwidth: float
     sweep: FrequencyResponse | None
     sines: FrequencyResponse
+    slow: MovingAxis
 
 
 def response_text(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> str:
@@ -79,6 +105,7 @@ def response_text(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> str
     if any(one.response for one in tested):
         lines += [*columns_text(*in_time(rest, tested), style), ""]
     lines += [*columns_text(*margins_table(rest, tested), style), ""]
+    lines += [*columns_text(*slow_table(rest, tested), style), ""]
     if tested[0].sweep is not None:
         lines += [*_sweeps(rest, tested, style), ""]
     if rest.oil:
@@ -105,7 +132,7 @@ def notes(rest: Rest) -> tuple[str, ...]:
         left_out += "; of sensors with delays and rates, without steps and noise"
         names = ", ".join(one.quantity for one in sensors)
         found.append(f"responses: with the sensors of the cell for {names}, their steps and noise")
-    return (*found, f"margins and modes: about the rest, without {left_out}")
+    return (*found, f"margins and modes: about the rest and slow motions, without {left_out}")
 
 
 def _modes(modes: tuple[Array, Array]) -> str:
@@ -190,17 +217,46 @@ def margins_table(rest: Rest, tested: Sequence[TestedAxis]) -> Table:
         if not margin.stable:
             rows.append((name, TableCell("unstable", Tone.ERROR), *(TableCell("-"),) * 6))
             continue
-        texts = (
-            number(one.bandwidth, "-"),
-            f"{margin.gain:.3g}" if margin.gain < _LARGE else "large",
-            number(margin.gain_hz, "-"),
-            f"{math.degrees(margin.phase):.0f}" if math.isfinite(margin.phase) else "-",
-            number(margin.phase_hz, "-"),
-            number(1e3 * margin.delay, "-"),
-            f"{margin.sensitivity:.2f}",
-        )
-        rows.append((name, *map(TableCell, texts)))
+        rows.append((name, TableCell(number(one.bandwidth, "-")), *_margin_cells(margin)))
     return header, rows
+
+
+def slow_table(rest: Rest, tested: Sequence[TestedAxis]) -> Table:
+    """Return the margins of each axis in the slow motion in which they are the worst."""
+    header = (
+        *("axis", "worst in\nslow motion", "gain\nmargin", "at\nHz", "phase\nmargin °", "at\nHz"),
+        *("delay\nmargin ms", "Ms"),
+    )
+    rows = list[tuple[TableCell, ...]]()
+    for one in tested:
+        name, going, margin = TableCell(_name(rest, one.axis)), one.slow.motion.words, one.slow.margins
+        if not margin.stable:
+            unstable = TableCell(f"{going}: unstable", Tone.ERROR)
+            rows.append((name, unstable, *(TableCell("-"),) * 6))
+            continue
+        rows.append((name, TableCell(going), *_margin_cells(margin)))
+    return header, rows
+
+
+def worst_moving(motions: Sequence[SlowMotion], loops: Sequence[LinearLoop]) -> tuple[MovingAxis, ...]:
+    """Return the worst motion of each axis.
+
+    Args:
+        motions: at least one.
+        loops: about them.
+    """
+    found = [margins_of_all(loop) for loop in loops]
+    rows = [tuple(map(MovingAxis, motions, axis)) for axis in zip(*found, strict=True)]
+    return tuple(max(row, key=lambda one: margin_utilisation(one.margins)) for row in rows)
+
+
+def _margin_cells(margin: Margins) -> Iterator[TableCell]:
+    yield TableCell(f"{margin.gain:.3g}" if margin.gain < _LARGE else "large")
+    yield TableCell(number(margin.gain_hz, "-"))
+    yield TableCell(f"{math.degrees(margin.phase):.0f}" if math.isfinite(margin.phase) else "-")
+    yield TableCell(number(margin.phase_hz, "-"))
+    yield TableCell(number(1e3 * margin.delay, "-"))
+    yield TableCell(f"{margin.sensitivity:.2f}")
 
 
 def _sweeps(rest: Rest, tested: Sequence[TestedAxis], style: Style) -> list[str]:
@@ -245,6 +301,11 @@ def _axis_entry(rest: Rest, one: TestedAxis) -> dict[str, object]:
         "axis": _name(rest, one.axis),
         **margins_entry(one.margins),
         "bandwidth_hz": plain(one.bandwidth),
+        "in_motion": {
+            "motion": one.slow.motion.words,
+            "qd": one.slow.motion.qd.tolist(),
+            **margins_entry(one.slow.margins),
+        },
         "ramp" if rest.is_ramp else "step": one.response and _response_entry(rest, one.response),
         "sweep": one.sweep
         and {

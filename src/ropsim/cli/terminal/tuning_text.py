@@ -2,6 +2,7 @@
 
 import math
 import textwrap
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from ropsim.simulation import PlaceCheck, PlaceGrid, margin_utilisation, worst_o
 from ropsim.spatial import Array, record
 from ropsim.views import Style, TableCell, Tone, columns_text
 
-_KEYS = ("kp", "kd", "kv", "ki")
+_KEYS = ("kp", "kd", "kv", "ki", "corner", "lead", "swing")
 """Gains that follow from bandwidths; the others stay as in the standard controller."""
 _LARGE = 1e3
 _COLUMNS = 80
@@ -27,10 +28,10 @@ class Tuned:
         robot: the arm.
         controller: with the gains.
         bandwidths: of the axes [Hz], shape (n,); NaN for a law whose gains do not follow from bandwidths.
-        damping: of the axes.
+        damping: of the axes; NaN for a law whose gains do not follow from one.
         grid: the places.
         loads: in words.
-        checks: at all places with all loads.
+        checks: at all places with all loads, at rest and in slow motion.
     """
 
     station: str
@@ -47,7 +48,9 @@ def tuning_text(tuned: Tuned, style: Style) -> str:
     """Return margins at the worst places, a map of the slowest oscillation, and the lines of the gains."""
     robot, law = tuned.robot, LAW_WORDS[tuned.controller.kind]
     hz, has_rule = tuned.controller.rates.control_hz, _has_rule(tuned)
-    damping = f"damping {tuned.damping:.3g}" if has_rule else "present gains"
+    damping = "gains of its rule, by bandwidth" if has_rule else "present gains"
+    if math.isfinite(tuned.damping) and has_rule:
+        damping = f"damping {tuned.damping:.3g}"
     title = f"{robot.title or robot.name}: {law} at {hz} Hz, {damping}"
     sections = [
         [
@@ -92,7 +95,7 @@ def tuning_document(tuned: Tuned) -> dict[str, object]:
         "station": tuned.station,
         "law": tuned.controller.kind.value,
         "control_hz": tuned.controller.rates.control_hz,
-        "damping": tuned.damping if _has_rule(tuned) else None,
+        "damping": plain(tuned.damping) if _has_rule(tuned) else None,
         "loads": list(tuned.loads),
         "counts": list(tuned.grid.counts),
         "gains": {name: getattr(gains, name).tolist() for name in gain_names(gains)},
@@ -107,18 +110,31 @@ def _axis_entry(tuned: Tuned, axis: int, name: str) -> dict[str, object]:
     return {
         "axis": name,
         "bandwidth_hz": plain(float(tuned.bandwidths[axis])),
-        "worst": {
-            "q": tuned.grid.Q[worst.place].tolist(),
-            "load": tuned.loads[worst.load],
-            **margins_entry(worst.margins[axis]),
-        },
+        "worst": _worst_entry(tuned, axis, worst),
+        "at_rest": _worst_entry(tuned, axis, _worst(tuned, axis)[0]),
     }
+
+
+def _worst_entry(tuned: Tuned, axis: int, worst: PlaceCheck) -> dict[str, object]:
+    return {
+        "q": tuned.grid.Q[worst.place].tolist(),
+        "load": tuned.loads[worst.load],
+        "motion": worst.motion.words,
+        **margins_entry(worst.margins[axis]),
+    }
+
+
+def _worst(tuned: Tuned, axis: int) -> tuple[PlaceCheck, ...]:
+    """Return the worst check of an axis at rest, and in slow motion if there is any."""
+    groups = ([one for one in tuned.checks if one.motion.is_rest is still] for still in (True, False))
+    return tuple(worst_of(group, axis) for group in groups if group)
 
 
 def _place_entry(tuned: Tuned, one: PlaceCheck) -> dict[str, object]:
     return {
         "q": tuned.grid.Q[one.place].tolist(),
         "load": tuned.loads[one.load],
+        "motion": one.motion.words,
         "slowest_hz": plain(one.slowest_hz),
         "damping": plain(one.damping),
         "gain": [plain(axis.gain) for axis in one.margins],
@@ -137,29 +153,36 @@ def _grid_words(tuned: Tuned) -> str:
 
 
 def _left_out(tuned: Tuned) -> list[str]:
-    count = len(tuned.grid.Q) * len(tuned.loads) - len(tuned.checks)
+    count = len(tuned.grid.Q) * len(tuned.loads) - len(_rests(tuned))
     return [f"left out: {plural(count, 'place')} at which the drives do not hold the load"] if count else []
 
 
 def _margins(tuned: Tuned, style: Style) -> list[str]:
-    header = ("axis", "bandwidth\nHz", "gain\nmargin", "phase\nmargin °", "Ms", "worst with", "at")
+    header = ("axis", "bandwidth\nHz", "gain\nmargin", "phase\nmargin °", "Ms", "worst", "with", "at")
     rows = []
     for axis, joint in enumerate(tuned.robot.axis_joints):
-        worst = worst_of(tuned.checks, axis)
-        margins = worst.margins[axis]
-        place = TableCell(tuned.loads[worst.load]), TableCell(_place_words(tuned, worst.place))
-        name, bandwidth = TableCell(joint.name), TableCell(number(float(tuned.bandwidths[axis]), "-"))
-        if not margins.stable:
-            rows.append((name, bandwidth, TableCell("unstable", Tone.ERROR), *(TableCell("-"),) * 2, *place))
-            continue
-        tone = Tone.WARNING if margin_utilisation(margins) > 1.0 else None
-        figures = (
-            TableCell(f"{margins.gain:.3g}" if margins.gain < _LARGE else "large", tone),
-            TableCell(f"{math.degrees(margins.phase):.0f}" if math.isfinite(margins.phase) else "-"),
-            TableCell(f"{margins.sensitivity:.2f}", tone),
-        )
-        rows.append((name, bandwidth, *figures, *place))
+        first = TableCell(joint.name), TableCell(number(float(tuned.bandwidths[axis]), "-"))
+        for worst in _worst(tuned, axis):
+            rows.append((*first, *_worst_row(tuned, worst, axis)))
+            first = TableCell(""), TableCell("")
     return columns_text(header, rows, style)
+
+
+def _worst_row(tuned: Tuned, worst: PlaceCheck, axis: int) -> Iterator[TableCell]:
+    """Yield the margins of an axis, and where it has them."""
+    margins = worst.margins[axis]
+    if margins.stable:
+        tone = Tone.WARNING if margin_utilisation(margins) > 1.0 else None
+        yield TableCell(f"{margins.gain:.3g}" if margins.gain < _LARGE else "large", tone)
+        yield TableCell(f"{math.degrees(margins.phase):.0f}" if math.isfinite(margins.phase) else "-")
+        yield TableCell(f"{margins.sensitivity:.2f}", tone)
+    else:
+        yield TableCell("unstable", Tone.ERROR)
+        yield TableCell("-")
+        yield TableCell("-")
+    yield TableCell(worst.motion.words)
+    yield TableCell(tuned.loads[worst.load])
+    yield TableCell(_place_words(tuned, worst.place))
 
 
 def _beyond(tuned: Tuned) -> list[str]:
@@ -177,7 +200,7 @@ def _beyond(tuned: Tuned) -> list[str]:
 
 def _slowest(tuned: Tuned, style: Style) -> list[str]:
     """Return the least and the greatest frequency of the slowest oscillation, and a table over two axes."""
-    known = [one for one in tuned.checks if math.isfinite(one.slowest_hz)]
+    known = [one for one in _rests(tuned) if math.isfinite(one.slowest_hz)]
     if not known:
         return ["no loop oscillates at any place"]
     ends = [pick(known, key=lambda one: one.slowest_hz) for pick in (min, max)]
@@ -198,7 +221,7 @@ def _map(tuned: Tuned, style: Style) -> list[str]:
     down = spread[0]
     across = spread[1] if len(spread) > 1 else None
     table: dict[tuple[float, float], float] = {}
-    for one in tuned.checks:
+    for one in _rests(tuned):
         q = tuned.grid.Q[one.place]
         key = float(q[down]), 0.0 if across is None else float(q[across])
         table[key] = float(np.fmin(table.get(key, math.nan), one.slowest_hz))
@@ -220,6 +243,10 @@ def _map(tuned: Tuned, style: Style) -> list[str]:
         style,
     )
     return ["", f"slowest oscillation in Hz {what}, the least of all loads", *lines]
+
+
+def _rests(tuned: Tuned) -> list[PlaceCheck]:
+    return [one for one in tuned.checks if one.motion.is_rest]
 
 
 def _place_words(tuned: Tuned, place: int) -> str:

@@ -315,7 +315,7 @@ def path_errors(paths: list[PathSpan], ticks: Array, q: Array, attained: Array) 
         attained: attained TCP positions in the base frame [m], shape (k, 3).
 
     Returns:
-        Distances [m], shape (k,), in the sense of path accuracy AT_p of ISO 9283 for one cycle.
+        Distances [m], shape (k,), as for the path accuracy AT_p of ISO 9283, of one pass.
     """
     errors = np.full(len(ticks), np.nan)
     places = np.searchsorted(ticks, [(span.start, span.end) for span in paths], side="right").tolist()

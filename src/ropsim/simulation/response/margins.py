@@ -152,17 +152,32 @@ def margins_of_all(loop: LinearLoop) -> tuple[Margins, ...]:
         loop: about a rest.
     """
     A, _ = loop.closed()
-    poles, V = np.linalg.eig(A)
-    if not np.abs(poles).max() < 1.0:
+    if not np.abs(np.linalg.eigvals(A)).max() < 1.0:
         return (UNSTABLE,) * loop.n
-    if np.linalg.cond(V) > _DEPENDENT:
-        return tuple(margins(loop, axis) for axis in range(loop.n))
     inputs, outputs = np.zeros((len(A), loop.n)), loop.given()
     inputs[: len(loop.F)] = loop.G
-    residues = (outputs @ V) * np.linalg.solve(V, inputs).T
+    A, inputs, outputs = _between(A, inputs, outputs)
+    poles, V = np.linalg.eig(A)
+    sizes = np.abs(V).max(axis=1)
+    if not (sizes.min() and np.linalg.cond(V / sizes[:, np.newaxis]) <= _DEPENDENT):
+        return tuple(margins(loop, axis) for axis in range(loop.n))
+    residues = (outputs @ V) * np.linalg.solve(V / sizes[:, np.newaxis], inputs / sizes[:, np.newaxis]).T
     hz = _frequencies(loop.period)
     reached = 1.0 + residues @ (1.0 / (_on_circle(hz, loop.period) - poles[:, np.newaxis]))
     return tuple(_judged(one, hz) for one in 1.0 / reached - 1.0)
+
+
+def _between(A: Array, B: Array, C: Array) -> tuple[Array, Array, Array]:
+    """Return the part of z⁺ = A·z + B·v that v reaches and C·z sees.
+
+    A law remembers much that follows from its reference alone, in chains of ticks without eigenvectors.
+    """
+    on = np.asarray(A != 0.0) | np.eye(len(A), dtype=np.bool_)
+    reached, seen = np.any(B != 0.0, axis=1), np.any(C != 0.0, axis=0)
+    for _ in range(len(A)):
+        reached, seen = np.any(on[:, reached], axis=1), np.any(on[seen], axis=0)
+    kept = reached & seen
+    return A[np.ix_(kept, kept)], B[kept], C[:, kept]
 
 
 def _judged(opened: Array, hz: Array) -> Margins:

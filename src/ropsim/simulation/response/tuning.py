@@ -1,103 +1,40 @@
-"""Loops of an arm over its places: the worst margins, and the largest bandwidths that keep enough of them."""
+"""The largest bandwidths of an arm with which its loops keep enough margins over its places."""
 
 from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from ropsim.dynamics import command_limit
 from ropsim.model import ControllerModel, Payload, RobotModel
-from ropsim.simulation.response.linear_loop import linear_loop
-from ropsim.simulation.response.margins import Margins, margins_of_all, natural_modes
+from ropsim.simulation.response.linearised import ServoLoop
+from ropsim.simulation.response.place_checks import (
+    PlaceCheck,
+    Reported,
+    checks_at,
+    held_cases,
+    margin_utilisation,
+    slow_at,
+    worst_of,
+)
 from ropsim.simulation.response.places import PlaceGrid
-from ropsim.simulation.servo.held_state import held_state
+from ropsim.simulation.response.slow_motions import SlowMotion, rest_of
 from ropsim.spatial import Array, record
 
-MOST_SENSITIVITY = 2.0
-"""Largest Ms of a loop that bears its model being somewhat wrong."""
-LEAST_GAIN_MARGIN = 2.0
-"""Least gain margin of the same."""
 _FACTORS = 2.0 ** (0.5 * np.arange(-4.0, 9.0))
 """By these the bandwidth of an axis is tried: too low ones do not hold an arm with compensated weight."""
 _ROUNDS = 3
 """Halvings of the last step between two of them: to a share of 1.04."""
 _LESS = 0.9
 """By this factor bandwidths are lowered while places have too little margin."""
+_SLIGHTLY = 0.99
+"""The same while slow motions have too little."""
 _LOWERINGS = 24
+_MANY = 50
+"""Cases from which on their progress is reported."""
 
 Built = Callable[[Array], ControllerModel]
 """From bandwidths [rad/s], shape (n,), to a controller."""
-Reported = Callable[[float, str], None]
-"""Receives the share that is done and the present activity."""
-
-
-@record
-class PlaceCheck:
-    """The loops of an arm at one place with one load.
-
-    Attributes:
-        place: number of the place in the grid.
-        load: number of the load.
-        margins: of each axis.
-        slowest_hz: least frequency at which the closed loop oscillates [Hz]; NaN where it does not.
-        damping: its damping ratio.
-    """
-
-    place: int
-    load: int
-    margins: tuple[Margins, ...]
-    slowest_hz: float
-    damping: float
-
-
-def check_places(
-    robot: RobotModel,
-    controller: ControllerModel,
-    grid: PlaceGrid,
-    loads: Sequence[Payload],
-    reported: Reported | None = None,
-) -> tuple[PlaceCheck, ...]:
-    """Return the loops at all places with all loads that its drives hold there at rest.
-
-    An amplifier at its limit answers nothing: there is no loop where a load is too heavy.
-
-    Args:
-        robot: with drives.
-        controller: of the arm.
-        grid: the places.
-        loads: at the mechanical interface; the law has them.
-        reported: receives the progress, or None.
-
-    Returns:
-        A check for each place and load; nothing for an arm that holds itself nowhere.
-    """
-    cases = [
-        (place, load)
-        for place in range(len(grid.Q))
-        for load in range(len(loads))
-        if _holds(robot, grid.Q[place], loads[load])
-    ]
-    found = []
-    for k, case in enumerate(cases):
-        if reported:
-            reported(k / len(cases), "places of the arm")
-        found.append(_checked(robot, controller, grid, loads, case))
-    return tuple(found)
-
-
-def worst_of(checks: Sequence[PlaceCheck], axis: int) -> PlaceCheck:
-    """Return the check at which an axis has the largest `margin_utilisation`."""
-    return max(checks, key=lambda one: margin_utilisation(one.margins[axis]))
-
-
-def margin_utilisation(found: Margins) -> float:
-    """Return how far a loop uses up its margins: beyond 1 it has less of them than it should.
-
-    It is the larger one of Ms over `MOST_SENSITIVITY` and `LEAST_GAIN_MARGIN` over the gain margin; inf
-    where the closed loop is unstable.
-    """
-    if not found.stable:
-        return float("inf")
-    return max(found.sensitivity / MOST_SENSITIVITY, LEAST_GAIN_MARGIN / found.gain)
+Case = tuple[int, int, SlowMotion]
+"""Numbers of a place and a load, and a rest or a slow motion."""
 
 
 @record
@@ -118,20 +55,51 @@ class _Search:
     loads: Sequence[Payload]
     reported: Reported | None
 
-    def checks(self, bandwidths: Array) -> tuple[PlaceCheck, ...]:
-        """Return the loops at all places."""
-        return check_places(self.robot, self.built(bandwidths), self.grid, self.loads, self.reported)
+    def rests(self) -> tuple[Case, ...]:
+        """Return all places and loads at rest."""
+        rest = rest_of(self.robot)
+        return tuple((*case, rest) for case in held_cases(self.robot, self.grid, self.loads))
 
-    def utilisations(self, bandwidths: Array) -> Array:
-        """Return the utilisation of margins of each axis over all places, shape (n,)."""
-        checks = self.checks(bandwidths)
-        return np.array([margin_utilisation(worst_of(checks, k).margins[k]) for k in range(self.robot.n)])
+    def motions(self) -> tuple[Case, ...]:
+        """Return the slow motions at all places with all loads."""
+        cases = held_cases(self.robot, self.grid, self.loads)
+        slow = ((case, slow_at(self.robot, self.grid, self.loads, case)[1:]) for case in cases)
+        return tuple((*case, motion) for case, motions in slow for motion in motions)
 
-    def utilisation_at(self, bandwidths: Array, cases: Sequence[tuple[int, int]]) -> float:
-        """Return the largest utilisation of margins of all axes at some places and loads."""
-        model = self.built(bandwidths)
-        made = (_checked(self.robot, model, self.grid, self.loads, case) for case in cases)
-        return max(margin_utilisation(one) for check in made for one in check.margins)
+    def checks(self, bandwidths: Array, cases: Sequence[Case]) -> tuple[PlaceCheck, ...]:
+        """Return the loops at cases."""
+        servo, found = ServoLoop.of(self.robot, self.built(bandwidths)), list[PlaceCheck]()
+        for k, (place, load, motion) in enumerate(cases):
+            if self.reported and len(cases) > _MANY:
+                self.reported(k / len(cases), "places of the arm")
+            found += checks_at(servo, self.grid, self.loads, (place, load), (motion,))
+        return tuple(found)
+
+    def utilisations(self, bandwidths: Array, cases: Sequence[Case]) -> Array:
+        """Return the utilisation of margins of each axis over cases, shape (n,)."""
+        return self._utilisations(self.checks(bandwidths, cases))
+
+    def utilisation_at(self, bandwidths: Array, cases: Sequence[Case]) -> float:
+        """Return the largest utilisation of margins of all axes over cases."""
+        return float(self.utilisations(bandwidths, cases).max())
+
+    def utilised(self, checks: Sequence[PlaceCheck]) -> float:
+        """Return the largest utilisation of margins of all axes."""
+        return float(self._utilisations(checks).max())
+
+    def _utilisations(self, checks: Sequence[PlaceCheck]) -> Array:
+        worst = (worst_of(checks, k).margins[k] for k in range(self.robot.n))
+        return np.array([margin_utilisation(one) for one in worst])
+
+    def worst_cases(self, checks: Sequence[PlaceCheck]) -> tuple[Case, ...]:
+        """Return the cases at which an axis has its largest Ms or its least gain margin."""
+        found = []
+        for axis in range(self.robot.n):
+            found.append(worst_of(checks, axis))
+            found.append(max(checks, key=lambda one: one.margins[axis].sensitivity))
+            found.append(min(checks, key=lambda one: one.margins[axis].gain))
+        cases = {(one.place, one.load, one.motion.words): one.motion for one in found}
+        return tuple((place, load, motion) for (place, load, _), motion in cases.items())
 
 
 def largest_bandwidths(
@@ -141,13 +109,14 @@ def largest_bandwidths(
     grid: PlaceGrid,
     loads: Sequence[Payload],
     reported: Reported | None = None,
+    alone: Sequence[int] = (),
 ) -> Array:
     """Return large bandwidths with which all loops keep their margins, to a few per cent.
 
     First all axes are raised or lowered together, from a quarter to sixteen times the start: with loops that
-    differ much in speed, an arm whose mass matrix is nearly singular bears little at each drive. Then each
-    axis is raised as far as the loops of all bear it. Both go by the worst places, and are lowered until
-    all places agree.
+    differ much in speed, an arm whose mass matrix is nearly singular bears little at each drive. Then some
+    are raised as far as the loops of all bear it. Both go by the worst places, and are lowered until all
+    places agree, at rest and in slow motion.
 
     Args:
         robot: with drives.
@@ -156,23 +125,35 @@ def largest_bandwidths(
         grid: places, at one of which at least it holds itself.
         loads: at the mechanical interface.
         reported: receives the progress, or None.
+        alone: axes that are raised one by one behind that; none where loops should differ as they do.
 
     Returns:
         Bandwidths [rad/s], shape (n,): where none keep them, the nearest ones.
     """
     search = _Search(robot, built, grid, loads, reported)
-    cases = _worst_cases(search.checks(start), robot.n)
+    rests = search.rests()
+    common, is_kept = _together(search, start, rests)
+    found = _alone(search, common, rests, alone) if is_kept else common
+    return _in_motion(search, found) if is_kept else found
+
+
+def _together(search: _Search, start: Array, rests: Sequence[Case]) -> tuple[Array, bool]:
+    """Return the largest bandwidths that are all the same multiple of the start, and whether they do."""
+    cases = search.worst_cases(search.checks(start, rests))
     common = start * _largest(lambda factor: search.utilisation_at(start * factor, cases), _FACTORS)
     for _ in range(_LOWERINGS):
-        if search.utilisations(common).max() <= 1.0 or search.utilisation_at(common, cases) > 1.0:
+        if search.utilisation_at(common, rests) <= 1.0 or search.utilisation_at(common, cases) > 1.0:
             break
         common = _LESS * common
-    if search.utilisation_at(common, cases) > 1.0:
-        return common
-    found, cases = common.copy(), _worst_cases(search.checks(common), robot.n)
-    for axis in range(robot.n):
-        if reported:
-            reported(axis / robot.n, "bandwidths one by one")
+    return common, search.utilisation_at(common, cases) <= 1.0
+
+
+def _alone(search: _Search, common: Array, rests: Sequence[Case], alone: Sequence[int]) -> Array:
+    """Return bandwidths of which some axes are larger, as long as the loops of all bear it."""
+    found, cases = common.copy(), search.worst_cases(search.checks(common, rests))
+    for axis in alone:
+        if search.reported:
+            search.reported(axis / search.robot.n, "bandwidths one by one")
 
         def utilised(factor: float, axis: int = axis) -> float:
             tried = found.copy()
@@ -181,7 +162,7 @@ def largest_bandwidths(
 
         found[axis] *= _largest(utilised, _FACTORS[_FACTORS >= 1.0])
     for _ in range(_LOWERINGS):
-        utilisations = search.utilisations(found)
+        utilisations = search.utilisations(found, rests)
         if utilisations.max() <= 1.0:
             return found
         found = np.where(utilisations > 1.0, np.maximum(_LESS * found, common), found)
@@ -190,14 +171,29 @@ def largest_bandwidths(
     return common
 
 
-def _worst_cases(checks: Sequence[PlaceCheck], n: int) -> tuple[tuple[int, int], ...]:
-    """Return places and loads at which an axis has its largest Ms or its least gain margin."""
-    found = []
-    for axis in range(n):
-        found.append(max(checks, key=lambda one: margin_utilisation(one.margins[axis])))
-        found.append(max(checks, key=lambda one: one.margins[axis].sensitivity))
-        found.append(min(checks, key=lambda one: one.margins[axis].gain))
-    return tuple(dict.fromkeys((one.place, one.load) for one in found))
+def _in_motion(search: _Search, found: Array) -> Array:
+    """Return bandwidths so much lower that slow motions keep their margins too, if that is what they need.
+
+    A slow loop may lose an arm that its weight pulls away: then less is not better, and the best is taken.
+    """
+    motions = search.motions()
+    best, least, lower = found, np.inf, found
+    for _ in range(_LOWERINGS if motions else 0):
+        checks = search.checks(lower, motions)
+        used = search.utilised(checks)
+        if used >= least:
+            break
+        best, least = lower, used
+        if used <= 1.0:
+            break
+        cases = search.worst_cases(checks)
+        for _ in range(_LOWERINGS):
+            lower = _SLIGHTLY * lower
+            now = search.utilisation_at(lower, cases)
+            if now <= 1.0 or now >= used:
+                break
+            used = now
+    return best
 
 
 def _largest(utilised: Callable[[float], float], factors: Array) -> float:
@@ -220,24 +216,3 @@ def _largest(utilised: Callable[[float], float], factors: Array) -> float:
         middle = (low * high) ** 0.5
         low, high = (middle, high) if utilised(middle) <= 1.0 else (low, middle)
     return low
-
-
-def _holds(robot: RobotModel, q: Array, load: Payload) -> bool:
-    """Return whether the drives of an arm at rest have outputs left with a load."""
-    _, outputs = held_state(robot, q, load)
-    limits = np.array([command_limit(drive) for drive in robot.drives])
-    return bool((np.abs(outputs) < limits).all())
-
-
-def _checked(
-    robot: RobotModel,
-    controller: ControllerModel,
-    grid: PlaceGrid,
-    loads: Sequence[Payload],
-    case: tuple[int, int],
-) -> PlaceCheck:
-    place, load = case
-    loop = linear_loop(robot, controller, grid.Q[place], loads[load])
-    frequencies, ratios = natural_modes(loop)
-    slowest = (float(frequencies[0]), float(ratios[0])) if len(frequencies) else (float("nan"),) * 2
-    return PlaceCheck(place, load, margins_of_all(loop), *slowest)

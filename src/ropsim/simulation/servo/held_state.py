@@ -1,4 +1,4 @@
-"""An arm that its drives hold at rest: the state about which plant and loops are linearised."""
+"""An arm at rest or in steady motion: the state about which plant and loops are linearised."""
 
 from dataclasses import replace
 
@@ -10,6 +10,7 @@ from ropsim.dynamics import (
     SteadyDrive,
     closed_coordinates,
     compiled,
+    passive_ratios,
     steady_drive,
     structure_of,
     supply_groups,
@@ -24,9 +25,19 @@ SMALL = 1e-6
 
 def held_drives(robot: RobotModel, q: Array, payload: Payload) -> tuple[SteadyDrive, ...]:
     """Return the drives of an arm that holds itself and its load at rest; arguments as in `held_state`."""
-    tau = _holding(robot, q, payload)
-    places = zip(robot.drives, np.asarray(q, np.float64).tolist(), tau.tolist(), strict=True)
-    return tuple(steady_drive(drive, place, 0.0, effort) for drive, place, effort in places)
+    return _steady_drives(robot, q, np.zeros(robot.n), payload)
+
+
+def _steady_drives(robot: RobotModel, q: Array, qd: Array, payload: Payload) -> tuple[SteadyDrive, ...]:
+    """Return the drives of an arm that goes on at a speed; their viscous friction is in their efforts."""
+    tau = _efforts(robot, q, qd, payload)
+    places = zip(robot.drives, *(np.asarray(one, np.float64).tolist() for one in (q, qd, tau)), strict=True)
+    return tuple(
+        steady_drive(
+            drive, place, speed, effort + drive.ratio_at(place) ** 2 * drive.friction.viscous * speed
+        )
+        for drive, place, speed, effort in places
+    )
 
 
 def held_state(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Array]:
@@ -37,15 +48,30 @@ def held_state(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Ar
         q: joint coordinates [rad | m], shape (n,).
         payload: tool and part.
     """
+    return steady_state(robot, q, np.zeros(robot.n), payload)
+
+
+def steady_state(robot: RobotModel, q: Array, qd: Array, payload: Payload) -> tuple[Array, Array]:
+    """Return the same of an arm whose axes go on at speeds; its dry friction is left out.
+
+    Args:
+        robot: with drives.
+        q: joint coordinates [rad | m], shape (n,).
+        qd: joint speeds [rad/s | m/s], shape (n,).
+        payload: tool and part.
+    """
     layout = StateLayout.of(structure_of(robot), LawTraits())
     x, u = np.zeros(layout.integrated), np.empty(robot.n)
     x[: robot.n] = q
     if robot.cuts:
         x[list(layout.loops.passive)] = closed_coordinates(robot, q)
-    for axis, held in enumerate(held_drives(robot, q, payload)):
+        x[list(layout.loops.passive_speeds)] = passive_ratios(robot, np.asarray(q)[np.newaxis])[0] @ qd
+    for axis, held in enumerate(_steady_drives(robot, q, qd, payload)):
         x[list(layout.drive(axis))] = held.states
         u[axis] = held.output
     x[layout.supplies] = full_supplies(robot)
+    x[layout.qd] = qd
+    x[list(layout.measured_speeds)] = qd
     return x, u
 
 
@@ -70,7 +96,7 @@ def sagging(robot: RobotModel, q: Array, payload: Payload) -> Array:
     softness = np.array([1.0 / one.link.stiffness if one.link else 0.0 for one in robot.drives])
     at = np.array(q, np.float64)
     for _ in range(_SAGS if softness.any() else 0):
-        at = q - softness * _holding(robot, at, payload)
+        at = q - softness * _efforts(robot, at, np.zeros(robot.n), payload)
     return at
 
 
@@ -78,11 +104,11 @@ _SAGS = 30
 """Steps in which a sag is found: each is as small against the one before as it is against the arm."""
 
 
-def _holding(robot: RobotModel, q: Array, payload: Payload) -> Array:
-    """Return the efforts that hold an arm at rest [N·m | N], shape (n,)."""
+def _efforts(robot: RobotModel, q: Array, qd: Array, payload: Payload) -> Array:
+    """Return the efforts with which an arm goes on at constant speeds [N·m | N], shape (n,)."""
     rest, tau = np.zeros(robot.n), np.empty(robot.n)
     # a single evaluation: plain Python is faster than compiling it
-    compiled(robot, payload, Engine.PYTHON).rigid_inverse(q, rest, rest, np.zeros(6), tau)
+    compiled(robot, payload, Engine.PYTHON).rigid_inverse(q, qd, rest, np.zeros(6), tau)
     return tau
 
 

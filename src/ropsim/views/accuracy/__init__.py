@@ -1,5 +1,7 @@
-"""Figures of ISO 9283:1998 from commanded and attained poses: paths, their repeats, corners, stops."""
+"""Figures by formulas of ISO 9283:1998 from commanded and attained poses: paths, repeats, corners, stops."""
 
+from ropsim.views.accuracy.conditions import CYCLES as CYCLES
+from ropsim.views.accuracy.conditions import AccuracyConditions as AccuracyConditions
 from ropsim.views.accuracy.contours import ContourFigures as ContourFigures
 from ropsim.views.accuracy.contours import ContourRows as ContourRows
 from ropsim.views.accuracy.contours import contours as contours

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import TypeVar
 
 from ropsim.core import SourceText
-from ropsim.views.accuracy import CornerFigures, StopFigures
+from ropsim.views.accuracy import CYCLES, CornerFigures, StopFigures
 from ropsim.views.html.tables import source_cell
 from ropsim.views.markup.markup import table, text
 from ropsim.views.summary.path_summary import PathLine, PathMove, PathSummary
@@ -42,7 +42,26 @@ def accuracy_section(figures: Figures, of: str, source: SourceText | None) -> st
     if not any(tables):
         return ""
     note = "" if figures.is_driven else "<p>Without drives: the arm is where its reference is.</p>\n"
+    if figures.is_driven:
+        note = f"<p>{_conditions(figures)}</p>\n"
     return f"<section><h2>Accuracy{of}</h2>\n{note}{''.join(tables)}</section>\n"
+
+
+def _conditions(figures: Figures) -> str:
+    """Return the conditions of the figures in sentences."""
+    found = figures.path.conditions
+    speeds = dict.fromkeys(
+        fixed(one, MILLIMETRES_PER_SECOND, 0)
+        for one in (found.least_speed, found.most_speed)
+        if math.isfinite(one)
+    )
+    given = f", given speed {' to '.join(speeds)} mm/s" if speeds else ""
+    passes = f"; at most {found.cycles} pass{'es' if found.cycles > 1 else ''} of one" if found.cycles else ""
+    return (
+        f"Conditions: paths {found.paths}{given}{passes}; load: {found.load}. Not in it: "
+        f"{', '.join(found.left_out)}. The formulas are those of ISO 9283:1998; this is no test after it, "
+        f"which takes {CYCLES} cycles of its test path with the rated load."
+    )
 
 
 def path_table(path: PathSummary, source: SourceText | None) -> str:
@@ -55,17 +74,17 @@ def path_table(path: PathSummary, source: SourceText | None) -> str:
     header = (
         "line",
         "moves",
-        "AT<sub>p</sub> max<br>[mm]",
+        "path error<br>max [mm]",
         "RMS<br>[mm]",
         "worst<br>pass",
         "at t [s]",
         "angle<br>max [°]",
-        "RT<sub>p</sub><br>[mm]",
+        "spread of<br>passes [mm]",
         "command speed,<br>given [mm/s]",
         "limited by",
         "lost<br>[s]",
-        "worst AV<br>[%]",
-        "FV max<br>[mm/s]",
+        "speed error<br>worst [%]",
+        "fluctuation<br>max [mm/s]",
         "source",
     )
     rows = [_path_row(line, source) for line in path.lines]
@@ -84,9 +103,9 @@ def corner_table(corners: Sequence[CornerFigures]) -> str:
         "passes",
         "zone<br>[mm]",
         "planned<br>[mm]",
-        "CR<br>[mm]",
-        "CO max<br>[mm]",
-        "CO max<br>at t [s]",
+        "attained<br>[mm]",
+        "overshoot<br>max [mm]",
+        "overshoot<br>max at t [s]",
     )
     rows = []
     for line, passes in _by_line(corners):
@@ -103,8 +122,8 @@ def corner_table(corners: Sequence[CornerFigures]) -> str:
             )
         )
     return table(
-        "Rounded corners by source line: least distance from the corner point, commanded and attained (CR), "
-        "and overshoot behind it (CO); from the least to the largest where passes differ.",
+        "Rounded corners by source line: least distance from the corner point, commanded and attained, "
+        "and overshoot behind it; from the least to the largest where passes differ.",
         header,
         rows,
     )
@@ -116,10 +135,10 @@ def stop_table(stops: Sequence[StopFigures]) -> str:
     header = (
         "line",
         "passes",
-        "OV max<br>[mm]",
-        "OV max<br>at t [s]",
-        "stabilization<br>max [s]",
-        "stabilization<br>max at t [s]",
+        "overshoot<br>max [mm]",
+        "overshoot<br>max at t [s]",
+        "to stay at<br>its place max [s]",
+        "to stay at its<br>place max at t [s]",
         *(["not reached,<br>away max [mm]"] if missed else ()),
     )
     rows = []

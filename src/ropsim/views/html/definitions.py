@@ -9,7 +9,8 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "in motion": "Share of the cycle time in which moves were on their way, outside of zones and within "
         "them; of several stations, of their cycle times together.",
         "settling": "Time after a move until every joint is in position, summed over all moves. "
-        "A stop looks at positions only, not at speeds. The program waits for it, unlike for stabilization.",
+        "A stop looks at positions only, not at speeds. The program waits for it, unlike for the time "
+        "to stay at a place.",
         "waiting": "Time in which the program stood at a `wait`, for a time, a signal or a condition, or "
         "looked at signals in a loop. The share is that of the cycle time of the station.",
         "parts of the cycle time": "Motion and zones are the way of the moves, outside of and within the "
@@ -27,28 +28,31 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "what warms the winding to its greatest rise in the end; a model without such a limit has no share.",
         "following error": "Reference minus attained joint coordinate at the same instant; it contains "
         "the delay of the servo.",
-        "path error, AT<sub>p</sub>": "Distance of the attained tool centre point from the path of the tool: "
+        "path error": "Distance of the attained tool centre point from the path of the tool: "
         "a line, an arc, a curve or the corner between two of them, its ends included. The largest one "
-        "stands for the path accuracy AT<sub>p</sub> of ISO 9283:1998 (8.2), here from one cycle.",
+        "is no path accuracy AT<sub>p</sub> of ISO 9283:1998 (8.2), which is that of the barycentre of ten "
+        "cycles.",
         "angle": "Largest angle between attained and commanded orientation at one place of the path.",
-        "path repeatability, RT<sub>p</sub>": "Of several passes of one path, the largest l̄ + 3 S over 50 "
+        "spread of the passes": "Of several passes of one path, the largest l̄ + 3 S over 50 "
         "points of it, with the distances l of the passes from their middle in the plane at right angles to "
-        "the path (8.3). The simulation has no noise: passes differ by what was before them and by payload.",
+        "the path: the formula of RT<sub>p</sub> (8.3). The simulation "
+        "has no noise: passes differ by what was before them and by payload.",
         "given speed": "Path speed that the program, or the cell, gives for the move. Where the command "
         "speed stays below it, the way is too short for acceleration and jerk, or joints and corners do not "
         "allow it.",
-        "path velocity accuracy, AV": "(mean attained speed − command speed) / command speed, over the "
+        "speed error": "(mean attained speed − command speed) / command speed, over the "
         "middle half of the time in which the commanded speed of the move is within 1 % of "
-        "its largest value; its fluctuation FV is the largest minus the least attained speed there (8.6).",
-        "cornering deviations, CR and CO": "CR is the least distance of the attained path from the corner "
-        "point of a rounded corner; CO the largest one from the commanded path behind it, on the outer side "
-        "(8.5).",
-        "position overshoot, OV": "Largest distance of the tool centre point from the place of the stop "
+        "its largest value; its fluctuation is the largest minus the least attained speed there (formulas "
+        "of AV and FV, 8.6).",
+        "rounded corners": "Attained is the least distance of the attained path from the corner "
+        "point of a rounded corner; the overshoot is the largest one from the commanded path behind it, on "
+        "the outer side (formulas of CR and CO, 8.5).",
+        "overshoot at a stop": "Largest distance of the tool centre point from the place of the stop "
         "after it has first come there, within 0.1 mm or passing by; 0 where it stays within 0.1 mm. The "
         "place is where the arm, in position, rests for 0.1 s before it goes on, otherwise the commanded "
-        "one. The stabilization time lasts from the first coming until the arm stays within 0.1 mm, whatever "
-        "the program does meanwhile: it may be longer than settling, which joints in position end (7.4, "
-        "7.5).",
+        "one. The time to stay at its place lasts from the first coming until the arm stays within 0.1 mm, "
+        "whatever the program does meanwhile: it may be longer than settling, which joints in position end "
+        "(formulas of stabilization time and OV, 7.4, 7.5, with a band of 0.1 mm).",
         "not reached": "Stops after which the program went on before all joints were in position, and how "
         "far the tool centre point was from its target then.",
         "near, beyond": "Near: from 90 % of the limit, and a joint with less than 1° or 1 mm of its range "

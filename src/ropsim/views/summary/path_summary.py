@@ -1,13 +1,12 @@
-"""Accuracy of the moves with a path of the tool (lines, arcs, curves, corners), in the words of ISO 9283.
+"""Accuracy of the moves with a path of the tool: lines, arcs, curves, corners.
 
 A simulated run attains each move once, so the path error of a sample replaces that of the barycentre of
-several cycles in ISO 9283: the largest one is the path accuracy AT_p of that single cycle. The other figures
-are defined in `views/accuracy`.
+several cycles in the path accuracy AT_p of ISO 9283. The other figures are defined in `views/accuracy`.
 """
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import field, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -15,7 +14,13 @@ import numpy.typing as npt
 from ropsim.core import frozen_dataclass
 from ropsim.flow import CriticalLimit, MoveEvent, ReachedSpeed, Recording
 from ropsim.spatial import Array
-from ropsim.views.accuracy import SpeedFigures, largest_angle, path_repeatability, speed_figures
+from ropsim.views.accuracy import (
+    AccuracyConditions,
+    SpeedFigures,
+    largest_angle,
+    path_repeatability,
+    speed_figures,
+)
 from ropsim.views.channels import StationView, rms, station_views
 
 REACHED = 0.99
@@ -121,12 +126,14 @@ class PathSummary:
         mean_error: mean distance from the path of the tool over all its samples [m].
         rms_error: root of its mean square [m].
         p95_error: its 95th percentile [m].
+        conditions: under which figures of accuracy hold.
     """
 
     lines: tuple[PathLine, ...] = ()
     mean_error: float = math.nan
     rms_error: float = math.nan
     p95_error: float = math.nan
+    conditions: AccuracyConditions = field(default_factory=AccuracyConditions)
 
     @property
     def moves(self) -> tuple[PathMove, ...]:
@@ -199,13 +206,20 @@ def summarize_path(recording: Recording) -> PathSummary:
     ordered = tuple(sorted(lines, key=lambda line: (line.station, line.line)))
     known = np.concatenate(driven or [np.empty(0)])
     if known.size == 0:
-        return PathSummary(ordered)
+        return PathSummary(ordered, conditions=_conditions(ordered))
     return PathSummary(
         lines=ordered,
         mean_error=float(np.mean(known)),
         rms_error=rms(known),
         p95_error=float(np.percentile(known, 95.0)),
+        conditions=_conditions(ordered),
     )
+
+
+def _conditions(lines: tuple[PathLine, ...]) -> AccuracyConditions:
+    given = [move.given for line in lines for move in line.moves if math.isfinite(move.given)]
+    cycles = max((len(line.moves) for line in lines), default=0)
+    return AccuracyConditions(cycles, min(given, default=math.nan), max(given, default=math.nan))
 
 
 def speed(station: StationView, quantity: str) -> Array:

@@ -39,6 +39,28 @@ def accuracy_lines(figures: Figures, style: Style) -> list[str]:
         *_contours(figures.contours, style),
         *_corners(figures.corners, style),
         *_stops(figures.stops, style),
+        *conditions_lines(figures, style),
+    ]
+
+
+def conditions_lines(figures: Figures, style: Style) -> list[str]:
+    """Return under which conditions the figures hold; none without figures of paths, corners or stops."""
+    if figures.path.worst is None and not figures.corners and not figures.stops:
+        return []
+    found = figures.path.conditions
+    speeds = dict.fromkeys(
+        with_unit(one, MILLIMETRES_PER_SECOND, 0)
+        for one in (found.least_speed, found.most_speed)
+        if math.isfinite(one)
+    )
+    passes = [f"at most {found.cycles} pass{'es' if found.cycles > 1 else ''} of one"] if found.cycles else []
+    given = [f"  given speed: {' to '.join(speeds)}"] if speeds else []
+    return [
+        paint("conditions of the accuracy", Tone.QUIET, style),
+        f"  {', '.join(['paths and stops of the program', *passes])}",
+        *given,
+        f"  load: {found.load}",
+        f"  not in it: {', '.join(found.left_out[:3])}; no test after ISO 9283",
     ]
 
 
@@ -130,7 +152,7 @@ def _repeats(path: PathSummary) -> list[str]:
     if line is None:
         return []
     passes = f"{len(line.moves)} passes of line {line.line}" if line.line else f"{len(line.moves)} passes"
-    return [f"  path repeatability RT: max {with_unit(line.repeatability, MILLIMETRES, 3)} ({passes})"]
+    return [f"  spread of the passes: max {with_unit(line.repeatability, MILLIMETRES, 3)} ({passes})"]
 
 
 def slow_lines(path: PathSummary) -> list[str]:
@@ -181,9 +203,9 @@ def _speeds(path: PathSummary) -> list[str]:
     speeds, place = worst.speeds, place_text(worst.line, worst.visit)
     wanted = with_unit(speeds.command, MILLIMETRES_PER_SECOND, 0)
     return [
-        f"  path velocity accuracy AV: mean {_signed(path.mean_speed_accuracy)}",
+        f"  speed error: mean {_signed(path.mean_speed_accuracy)}",
         f"  worst {_signed(speeds.accuracy)} of {wanted}{place}",
-        f"  fluctuation FV: max {with_unit(path.largest_fluctuation, MILLIMETRES_PER_SECOND, 2)}",
+        f"  speed fluctuation: max {with_unit(path.largest_fluctuation, MILLIMETRES_PER_SECOND, 2)}",
     ]
 
 
@@ -195,11 +217,11 @@ def _corners(corners: tuple[CornerFigures, ...], style: Style) -> list[str]:
     away = _ends([nearest.rounding, farthest.rounding])
     lines = [
         paint(f"rounded corners ({len(corners)})", Tone.QUIET, style),
-        f"  corner rounding CR: {away}{place_text(farthest.line, farthest.visit)}",
+        f"  corner rounding: {away}{place_text(farthest.line, farthest.visit)}",
     ]
     if math.isfinite(beyond.overshoot):
         most = with_unit(beyond.overshoot, MILLIMETRES, 3)
-        lines.append(f"  cornering overshoot CO: max {most}{place_text(beyond.line, beyond.visit)}")
+        lines.append(f"  overshoot behind corners: max {most}{place_text(beyond.line, beyond.visit)}")
     return lines
 
 
@@ -223,12 +245,12 @@ def _ends_of(stops: tuple[StopFigures, ...], style: Style) -> list[str]:
 def _overshoot(stops: tuple[StopFigures, ...]) -> list[str]:
     known = [one for one in stops if math.isfinite(one.overshoot)]
     if not known:
-        return [f"  position overshoot OV: {UNKNOWN}, the TCP comes to no target"]
+        return [f"  overshoot at stops: {UNKNOWN}, the TCP comes to no target"]
     far = max(known, key=lambda one: one.overshoot)
     if not far.overshoot > 0.0:
-        return [f"  position overshoot OV: none beyond {with_unit(BAND, MILLIMETRES, 1)}"]
+        return [f"  overshoot at stops: none beyond {with_unit(BAND, MILLIMETRES, 1)}"]
     over = f"{with_unit(far.overshoot, MILLIMETRES, 3)}{place_text(far.line, far.visit)}"
-    return [f"  position overshoot OV: max {over}"]
+    return [f"  overshoot at stops: max {over}"]
 
 
 def _stabilization(stops: tuple[StopFigures, ...]) -> list[str]:
@@ -241,7 +263,7 @@ def _stabilization(stops: tuple[StopFigures, ...]) -> list[str]:
     slow = max(known, key=lambda one: one.stabilization, default=None)
     if slow is not None and slow.stabilization > 0.0:
         lines.append(
-            f"  stabilization time: max {slow.stabilization:.3f} s{place_text(slow.line, slow.visit)}"
+            f"  time to stay at its place: max {slow.stabilization:.3f} s{place_text(slow.line, slow.visit)}"
         )
     if restless:
         lines.append(f"  not within {band} of its place when it went on: {plural(restless, 'stop')}")

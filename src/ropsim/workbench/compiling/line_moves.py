@@ -40,7 +40,7 @@ def moves_by_line(code: icr.Program, world: Worlds = icr.PassingWorld) -> Mappin
         world: makes the world of a dry run from the values of inputs.
     """
     found: dict[int, LineMoves] = {}
-    for moves in _runs(code, world):
+    for moves in dry_runs(code, world):
         found = {**_of_run(moves), **found}
     return found
 
@@ -62,7 +62,7 @@ def _time(move: MoveInstruction) -> tuple[int, tuple[int, ...]]:
     return move.origin.visit, move.origin.call_serials
 
 
-def _runs(code: icr.Program, world: Worlds) -> Iterator[tuple[MoveInstruction, ...]]:
+def dry_runs(code: icr.Program, world: Worlds) -> Iterator[tuple[MoveInstruction, ...]]:
     """Yield the moves of dry runs, with all on/off inputs off, and on where there are some."""
     yield icr.run_verified(code, world({}), BUDGET).moves
     inputs = {one.name: True for one in code.channels if one.kind == "DI"}

@@ -10,6 +10,7 @@ from ropsim.cellfile import program_in_cell_file
 from ropsim.core import Diagnostic, RopsimError, SourceText, did_you_mean, frozen_dataclass, plural
 from ropsim.model import ROBOT, Cell, ReadRobot, RobotSource, Station
 from ropsim.workbench.compiling.compiled_project import CompiledProgram, CompiledProject, found_in
+from ropsim.workbench.compiling.free_targets import targets_found_in
 from ropsim.workbench.project_diagnostics import MOVES_SKIPPED, NO_CELL, NO_PROGRAM
 from ropsim.workbench.robots.robot_files import RobotFile, robots_read
 from ropsim.workbench.tasks.point_texts import NO_POINTS, PointTexts
@@ -128,6 +129,7 @@ class Project:
         compiled = {name: self._at_stations(name, text) for name, text in self.sources.items()}
         found = [one for programs in compiled.values() for one in found_in(programs)]
         programs = {name: next(iter(stations.values())) for name, stations in compiled.items()}
+        found += targets_found_in(self.cell, compiled)
         return CompiledProject(programs, (*self.around_programs, *found))
 
     @property

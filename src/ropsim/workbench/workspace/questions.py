@@ -19,6 +19,7 @@ from ropsim.query import Database, always_new
 from ropsim.workbench.compiling.at_station import AtStation, unbound
 from ropsim.workbench.compiling.compiled_project import CheckedText, CompiledProgram
 from ropsim.workbench.compiling.environment import environment_of
+from ropsim.workbench.compiling.free_targets import free_targets, may_need_free
 from ropsim.workbench.tasks.declared_tasks import declared_tasks
 from ropsim.workbench.tasks.point_texts import NO_POINTS, PointTexts, ReadTable, read_table, taken_names
 from ropsim.workbench.tasks.task_texts import NO_TASKS, TaskEngine, TaskTexts
@@ -324,6 +325,17 @@ def compiled(db: Database, name: str, at: AtStation) -> CompiledProgram:
         return CompiledProgram(text, None, found)
     found = (*found, *icr.verify(written_code), *unbound(written_code, text, *_station(db, at)))
     return CompiledProgram(text, language.Code.known(written_code), found)
+
+
+def free_findings(db: Database, name: str, at: AtStation) -> tuple[Diagnostic, ...]:
+    """Return the targets of a program without errors that its arm reaches only with free orientation."""
+    found, station = _station(db, at)
+    if found is None or not may_need_free(station or found.first):
+        return ()
+    one = db.ask(compiled, name, at)
+    if one.code is None or any(finding.is_error for finding in one.diagnostics):
+        return ()
+    return free_targets(one.code.program, found, station or found.first)
 
 
 def code_id(db: Database, name: str, at: AtStation) -> str:

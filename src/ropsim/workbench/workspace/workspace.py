@@ -121,7 +121,10 @@ class Workspace:
         for one in at.values():
             self._ask_for(text, one, Question.TRANSLATED, Question.CODE)
         found = {name: self._db.ask(questions.checked, text.name, one) for name, one in at.items()}
-        return at_stations(found)
+        more = {name: self._db.ask(questions.free_findings, text.name, one) for name, one in at.items()}
+        return at_stations(
+            {name: replace(one, diagnostics=(*one.diagnostics, *more[name])) for name, one in found.items()}
+        )
 
     def syntax(self, text: SourceText) -> CheckedText:
         """Return the findings in a text that hold for any cell, if the cell cannot be read.

@@ -11,6 +11,23 @@ from ropsim.cli.testing import main
 from ropsim.workbench import open_project
 
 CELL = '[cell]\nname = "c"\n[robot]\nmodel = "{model}"\n{more}'
+ONE_WAY = """\
+import numpy as np
+
+from ropsim.controller import LawTraits
+
+
+class Law:
+    traits = LawTraits()
+
+    def step(self, now, state):
+        factor = np.where(now.meas[1] < -1e-3, 100.0, 1.0)
+        return factor * (900.0 * (now.ref[0] - now.meas[0]) + 90.0 * (now.ref[1] - now.meas[1]))
+
+
+def joint_controller(robot, controller):
+    return Law()
+"""
 PLACE = "[locations.place]\nposition = [450, 100, 300]\n"
 
 
@@ -34,7 +51,7 @@ def test_each_axis_makes_a_small_step_and_has_margins(cell: Path, capsys: pytest
     assert main(["controller", "response", str(cell)]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines[0] == "Unimation PUMA 560: computed torque at 1000 Hz, start of the cell, no load"
-    assert [line.split()[0] for line in lines if line[:3] == "  1"] == ["1", "1"]  # a row in each table
+    assert [line.split()[0] for line in lines if line[:3] == "  1"] == ["1"] * 3  # a row in each table
     assert sum("0.5°" in line for line in lines) == 6
 
 
@@ -94,15 +111,64 @@ def test_what_is_not_there_is_refused(
 
 
 @pytest.mark.parametrize(
-    "arguments", [["--step", "0deg"], ["--step", "5deg/s"], ["--ramp", "20deg"], ["--sweep", "50..1Hz"]]
+    ("arguments", "said"),
+    [
+        (["--step", "0deg"], "`0deg` is no step: it is 0"),
+        (["--step", "5deg/s"], "a step has no unit `deg/s`, it has one of deg, °, rad, mm, cm, m, or none"),
+        (["--ramp", "20deg"], "a speed has no unit `deg`"),
+        (["--ramp", "quick"], "`quick` is no speed: a number, with or without a unit: 5deg/s"),
+        (["--sweep", "50..1Hz"], "it begins above 0 Hz and ends higher"),
+        (["--sweep", "1..5mm"], "a frequency has no unit `mm`, it has one of Hz, kHz, rad/s, or none"),
+        (["--joints", "0", "1kg"], "a coordinate has no unit `kg`"),
+    ],
 )
 def test_a_quantity_that_is_none_is_wrong_usage(
-    arguments: list[str], cell: Path, capsys: pytest.CaptureFixture[str]
+    arguments: list[str], said: str, cell: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with pytest.raises(SystemExit) as caught:
         main(["controller", "response", str(cell), *arguments])
     assert caught.value.code == 2
-    assert arguments[1] in capsys.readouterr().err
+    assert said in capsys.readouterr().err
+
+
+def test_a_quantity_means_the_same_in_each_of_its_units(
+    cell: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (_, degrees), (_, radians) = (
+        document(capsys, str(cell), "--axis", "3", "--step", step, "--joints", *joints)
+        for step, joints in (
+            ("-2", ["0", "90", *"0000"]),
+            (f"{np.radians(-2.0)}rad", ["0rad", "90deg", *"0000"]),
+        )
+    )
+    assert degrees["q"] == radians["q"]
+    assert degrees["axes"][0]["step"]["reference"] == pytest.approx(radians["axes"][0]["step"]["reference"])
+    assert degrees["axes"][0]["step"]["reference"][-1] == pytest.approx(np.radians(-2.0))
+
+
+def test_an_axis_is_worst_in_a_motion_that_is_named(cell: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    _, found = document(capsys, str(cell), "--axis", "2")
+    (axis,) = found["axes"]
+    assert axis["in_motion"]["motion"].split()[0] in {"all", "odd", "joint", "tool"}
+    assert np.abs(axis["in_motion"]["qd"]).max() > 0.0
+    assert axis["in_motion"]["margins"]["gain"] == pytest.approx(axis["margins"]["gain"], rel=0.02)
+
+
+def test_a_loop_that_is_unstable_one_way_is_an_error(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """An own law whose gain is forty times as high where an axis goes back."""
+    monkeypatch.setenv("ROPSIM_CONFIG_HOME", str(tmp_path / "config"))
+    folder = tmp_path / "own"
+    folder.mkdir()
+    written(folder, "two_link", '[controller]\nfile = "mine.py"\n')
+    (folder / "mine.py").write_text(ONE_WAY, "utf-8")
+    assert main(["trust", str(folder)]) == 0
+    capsys.readouterr()
+    code, found = document(capsys, str(folder), "--axis", "1")
+    (axis,) = found["axes"]
+    assert (code, axis["stable"], axis["in_motion"]["stable"]) == (1, True, False)
+    assert axis["in_motion"]["qd"][0] < 0.0
 
 
 def test_an_unstable_loop_is_an_error(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from ropsim import robots
 from ropsim.cli.testing import main
-from ropsim.model import ComputedTorqueGains
+from ropsim.model import ComputedTorqueGains, gain_names
 from ropsim.workbench import open_project
 
 CELL = '[cell]\nname = "c"\n[robot]\nmodel = "{model}"\n{more}'
@@ -27,15 +28,19 @@ def document(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, 
 
 def test_a_bandwidth_and_a_damping_make_gains(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     cell = written(tmp_path, "two_link")
-    code, found = document(capsys, str(cell), "--bandwidth", "5", "8", "--damping", "0.7")
+    code, found = document(capsys, str(cell), "--bandwidth", "5Hz", "0.008kHz", "--damping", "0.7")
     assert (code, found["ok"], found["law"], found["damping"]) == (0, True, "computed_torque", 0.7)
     omega = 2.0 * np.pi * np.array([5.0, 8.0])
     assert found["gains"]["kp"] == pytest.approx(omega**2, rel=1e-3)
     assert found["gains"]["kd"] == pytest.approx(1.4 * omega, rel=1e-3)
     assert [one["bandwidth_hz"] for one in found["axes"]] == pytest.approx([5.0, 8.0])
-    slow = [one["slowest_hz"] for one in found["places"]]
+    slow = [one["slowest_hz"] for one in found["places"] if one["motion"] == "at rest"]
+    assert len(found["places"]) == 5 * len(slow)
     assert slow == pytest.approx([slow[0]] * len(slow), rel=1e-3)  # the law knows the arm
     assert all(one["worst"]["stable"] for one in found["axes"])
+    for one in found["axes"]:
+        assert one["at_rest"]["motion"] == "at rest"
+        assert one["worst"]["margins"]["sensitivity"] >= one["at_rest"]["margins"]["sensitivity"]
 
 
 def test_the_printed_lines_are_a_section_of_the_cell_file(
@@ -73,16 +78,47 @@ def test_loops_of_fixed_gains_get_theirs_and_the_largest_bandwidths_keep_margins
     )
 
 
-def test_a_law_with_a_rule_of_its_own_is_judged_as_it_is(
+@pytest.mark.parametrize("law", ["flow, load and damping", "parallel PI"])
+def test_laws_of_hydraulic_axes_get_the_gains_of_their_rule_at_its_bandwidth(
+    law: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    cell = written(tmp_path, "patu655", f'[controller]\nlaw = "{law}"\n')
+    project = open_project(cell)
+    assert project.cell
+    rule = project.cell.first.controller
+    hz = robots.loop_bandwidths(project.cell.first.robot, rule) / (2.0 * np.pi)
+    code, found = document(capsys, str(cell), "--bandwidth", *(f"{one!r}Hz" for one in hz.tolist()))
+    assert (code, found["damping"]) == (0, None)
+    for name in gain_names(rule.gains):
+        assert found["gains"][name] == pytest.approx(getattr(rule.gains, name), rel=1e-3)
+    written(tmp_path, "patu655", found["toml"])
+    again = open_project(cell)
+    assert again.cell
+    for name in gain_names(rule.gains):
+        gains = again.cell.first.controller.gains
+        assert getattr(gains, name) == pytest.approx(np.array(found["gains"][name]), rel=1e-12)
+
+
+def test_loops_of_hydraulic_axes_have_no_damping_ratio(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     cell = written(tmp_path, "patu655")
-    code, found = document(capsys, str(cell))
-    assert (code, found["law"], found["toml"]) == (0, "flow_load_damping", None)
-    assert all(one["bandwidth_hz"] is None for one in found["axes"])
-    assert all(one["worst"]["margins"]["sensitivity"] < 2.0 for one in found["axes"])
-    assert main(["controller", "tune", str(cell), "--bandwidth", "1"]) == 2
-    assert "flow, load and damping" in capsys.readouterr().err
+    assert main(["controller", "tune", str(cell), "--damping", "0.7"]) == 2
+    assert "no damping ratio" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ("5deg", "a frequency has no unit `deg`, it has one of Hz, kHz, rad/s, or none"),
+        ("five", "`five` is no frequency: a number, with or without a unit: 5Hz"),
+        ("nan", "`nan` is no frequency: it is no number"),
+    ],
+)
+def test_a_bandwidth_is_a_frequency(given: str, said: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit, match="2"):
+        main(["controller", "tune", ".", "--bandwidth", given])
+    assert said in capsys.readouterr().err
 
 
 def test_unstable_loops_are_told_and_end_with_1(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

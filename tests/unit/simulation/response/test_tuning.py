@@ -9,6 +9,7 @@ import pytest
 from ropsim import robots
 from ropsim.model import (
     ComputedTorqueGains,
+    ControllerKind,
     ControllerModel,
     Drive,
     EffortAmplifier,
@@ -20,8 +21,10 @@ from ropsim.model import (
     RobotModel,
     cube_of_water,
 )
+from ropsim.robots import controller_under
 from ropsim.simulation import (
     LinearLoop,
+    ServoLoop,
     check_places,
     is_stable,
     largest_bandwidths,
@@ -34,6 +37,7 @@ from ropsim.simulation import (
     worst_of,
 )
 from ropsim.spatial import Array, frozen
+from support.hydraulic_arm import LOAD, hydraulic_arm
 
 INERTIA, HZ = 0.7, 1000
 NOTHING = (Payload(),)
@@ -93,6 +97,7 @@ def test_the_largest_bandwidth_of_a_sampled_mass_is_where_its_margins_end(zeta: 
         robots.loop_bandwidths(robot, model),
         place_grid(robot),
         NOTHING,
+        alone=(0,),
     )
     low, high = 10.0, 2000.0
     for _ in range(40):
@@ -125,10 +130,12 @@ def test_the_worst_margin_is_found_again_by_raising_the_gain_until_the_loop_is_u
     model, grid = robots.default_controller(name), place_grid(robot, 9)
     loads = (Payload(), cube_of_water(3.0))
     checks = check_places(robot, model, grid, loads)
-    assert len(checks) == 2 * len(grid.Q)
+    assert sum(one.motion.is_rest for one in checks) == 2 * len(grid.Q)
+    assert len(checks) == 10 * len(grid.Q)
+    servo = ServoLoop.of(robot, model)
     for axis in range(robot.n):
         worst = min(checks, key=lambda one: one.margins[axis].gain)
-        loop = linear_loop(robot, model, grid.Q[worst.place], loads[worst.load])
+        (loop,) = servo.about(grid.Q[worst.place], loads[worst.load], (worst.motion,))
         low, high = 1.0, 1e4
         while high / low > 1.0001:
             middle = math.sqrt(low * high)
@@ -158,13 +165,31 @@ def test_bandwidths_of_an_arm_keep_their_margins_at_all_places() -> None:
         return robots.tuned_controller(robot, model, one)
 
     loads = (Payload(), cube_of_water(2.0))
-    found = largest_bandwidths(robot, built, robots.loop_bandwidths(robot, model), grid, loads)
+    found = largest_bandwidths(robot, built, robots.loop_bandwidths(robot, model), grid, loads, alone=(0, 1))
     checks = check_places(robot, built(found), grid, loads)
     utilisations = [margin_utilisation(worst_of(checks, axis).margins[axis]) for axis in range(robot.n)]
     assert max(utilisations) <= 1.0
     assert max(utilisations) > 0.8
     wider = check_places(robot, built(1.2 * found), grid, loads)
     assert max(margin_utilisation(worst_of(wider, axis).margins[axis]) for axis in range(robot.n)) > 1.0
+
+
+def test_parallel_pi_loops_are_as_quick_as_by_their_rule_or_quicker() -> None:
+    """The rule looks at an arm without a load; the same margins at the most are used up with it."""
+    robot = hydraulic_arm()
+    model, grid = controller_under(robot, Rates(), ControllerKind.PARALLEL_PI), place_grid(robot, 9)
+    loads, start = (Payload(), LOAD), robots.loop_bandwidths(robot, model)
+
+    def built(one: Array) -> ControllerModel:
+        return robots.tuned_controller(robot, model, one)
+
+    found = largest_bandwidths(robot, built, start, grid, loads)
+    assert (found > 0.98 * start).all()
+    assert found / start == pytest.approx([found[0] / start[0]] * 2)  # axes lag alike
+    checks = check_places(robot, built(found), grid, loads)
+    assert max(margin_utilisation(worst_of(checks, axis).margins[axis]) for axis in (0, 1)) <= 1.0
+    more = check_places(robot, built(1.15 * found), grid, loads)
+    assert max(margin_utilisation(worst_of(more, axis).margins[axis]) for axis in (0, 1)) > 1.0
 
 
 def test_places_are_left_out_where_the_drives_do_not_hold_the_load() -> None:

@@ -115,3 +115,37 @@ def test_a_move_that_its_condition_ended_is_not_told_to_be_slow(condition: str, 
     (move,) = (path := summarize(run(cell, {"robot": code}, RunOptions(Fidelity.KINEMATIC))).path).moves
     assert move.given == 0.9
     assert len(path.slow) == slow
+
+
+def test_figures_of_accuracy_have_their_conditions_and_no_name_of_the_standard() -> None:
+    """Two passes of one line at 200 mm/s, and one of another at 300 mm/s."""
+    one = line_run(0.2)
+    events = tuple(
+        MoveEvent(
+            0.3 * ordinal,
+            0.3 * ordinal + 0.3,
+            "robot",
+            Origin(visit=visit),
+            motion=MotionKind.LIN,
+            ordinal=ordinal,
+            path_speed=speed,
+        )
+        for ordinal, (visit, speed) in enumerate([(1, 0.2), (2, 0.2), (1, 0.3)])
+    )
+    numbers = np.minimum(np.arange(101) // 34, 2)
+    channels = {
+        **one.channels,
+        "move": Channel(numbers.astype(float), ""),
+        "line": Channel(np.where(numbers < 2, 14.0, 15.0), ""),
+    }
+    summary = summarize(replace(one, channels=channels, events=events))
+    found = summary.path.conditions
+    assert (found.cycles, found.least_speed, found.most_speed) == (2, 0.2, 0.3)
+    assert not found.is_standard_test
+    text = "\n".join(accuracy_lines(summary, Style.PLAIN)).replace("\xa0", " ")
+    assert "paths and stops of the program, at most 2 passes of one\n" in text
+    assert "given speed: 200 mm/s to 300 mm/s\n" in text
+    assert "load: tool and parts that the program carries" in text
+    assert "no test after ISO 9283" in text
+    for name in ("AT", "RT", "AV", "FV", "OV", "CR", "CO", "accuracy AV", "repeatability"):
+        assert name not in text.split()

@@ -130,7 +130,15 @@ def test_a_run_without_drives_has_no_figures_of_its_attained_path() -> None:
     driven = terminal_report(summarize(recording), Style.PLAIN)
     text = report(facts=facts(fidelity=Fidelity.KINEMATIC))
     assert "path error of tool paths (12 moves): –, without drives" in text
-    for figure in ("max ", "RMS", "orientation:", "velocity accuracy", "repeatability", "stops ("):
+    for figure in (
+        "max ",
+        "RMS",
+        "orientation:",
+        "speed error",
+        "spread of the passes",
+        "conditions of the accuracy",
+        "stops (",
+    ):
         assert figure in driven
         assert figure not in text
     rows = [line.split() for line in text.splitlines() if re.match(r"  [1-6]  ", line)]

@@ -10,20 +10,28 @@ from ropsim import kinematics
 from ropsim.cli.terminal.coordinates import check_coordinates, joint_coordinates
 from ropsim.cli.terminal.output import Output, cannot_write
 from ropsim.cli.terminal.response_report import response_records
-from ropsim.cli.terminal.response_text import Rest, TestedAxis, response_document, response_text
+from ropsim.cli.terminal.response_text import (
+    Rest,
+    TestedAxis,
+    response_document,
+    response_text,
+    worst_moving,
+)
 from ropsim.core import Category, Diagnostic, RopsimError, Severity, define, did_you_mean, replace_file
 from ropsim.model import Cell, JointType, Payload, RobotModel, Station
 from ropsim.records import diagnostic_document
 from ropsim.simulation import (
     DivergedError,
+    ServoLoop,
     frequency_response,
-    linear_loop,
     margins,
     mounted_load,
     natural_modes,
     oil_springs,
     plant_modes,
     ramp_response,
+    rest_of,
+    slow_motions,
     step_response,
 )
 from ropsim.spatial import Array, Pose
@@ -42,9 +50,9 @@ within the range of the joint, ramps below its speed, both in the unit of the ax
 control rate. A robot whose model has no drives follows its reference exactly: it has no
 loop to test.
 
-`ropsim controller tune` has gains for computed torque and for loops of fixed gains, the laws whose gains
-follow from a bandwidth and a damping ratio: one bandwidth for all axes or one for each, up to a quarter of
-the control rate.
+`ropsim controller tune` has gains for the built-in laws: one bandwidth for all axes or one for each, up to a
+quarter of the control rate; computed torque and loops of fixed gains also have a damping ratio. A law of a
+file is judged as it is.
 
 A page (`--report`) replaces neither a folder nor a text of the project.
 """,
@@ -74,13 +82,15 @@ def response(options: argparse.Namespace, output: Output) -> int:
     robot, load = station.robot, _load(station)
     q, place = _rest(cell, station, options)
     axes = range(robot.n) if options.axis is None else (_axis(robot, options.axis),)
-    loop, hz = linear_loop(robot, station.controller, q, load), None
+    motions = slow_motions(robot, q, load) or (rest_of(robot),)
+    loop, *moving = ServoLoop.of(robot, station.controller).about(q, load, (rest_of(robot), *motions))
+    hz = None
     if options.sweep:
         half = 0.5 * station.controller.rates.control_hz
         if options.sweep[1] > half:
             raise not_tested(f"sines go up to half of the control rate, {half:g} Hz", "lower the sweep")
         hz = np.geomspace(float(options.sweep[0]), float(options.sweep[1]), _FREQUENCIES)
-    tested, findings = list[TestedAxis](), list[Diagnostic]()
+    tested, findings, slow = list[TestedAxis](), list[Diagnostic](), worst_moving(motions, moving)
     for axis in axes:
         change = _change(robot, q, axis, options)
         answer = None
@@ -91,7 +101,9 @@ def response(options: argparse.Namespace, output: Output) -> int:
             findings.append(error.diagnostic)
         sines = frequency_response(loop, axis)
         swept = frequency_response(loop, axis, hz) if hz is not None else None
-        tested.append(TestedAxis(axis, answer, margins(loop, axis), sines.bandwidth, swept, sines))
+        tested.append(
+            TestedAxis(axis, answer, margins(loop, axis), sines.bandwidth, swept, sines, slow[axis])
+        )
     code = output.findings(findings, project.texts)
     rest = Rest(
         robot,
@@ -108,7 +120,7 @@ def response(options: argparse.Namespace, output: Output) -> int:
     written = _written(options.report, rest, tested)
     for path in written:
         output.text(f"wrote {path}")
-    ok = code == 0 and all(one.margins.stable for one in tested)
+    ok = code == 0 and all(one.margins.stable and one.slow.margins.stable for one in tested)
     output.document(
         {"ok": ok, **response_document(rest, tested), "written": written, **diagnostic_document(findings)}
     )

@@ -21,7 +21,13 @@ from ropsim.model import (
     cube_of_water,
 )
 from ropsim.records import diagnostic_document
-from ropsim.simulation import check_places, largest_bandwidths, mounted_load, place_grid
+from ropsim.simulation import (
+    check_places,
+    held_cases,
+    largest_bandwidths,
+    mounted_load,
+    place_grid,
+)
 from ropsim.spatial import Array
 from ropsim.workbench import open_project
 
@@ -44,12 +50,16 @@ def tune(options: argparse.Namespace, output: Output) -> int:
         law = LAW_WORDS.get(controller.kind, controller.kind.value)
         message = f"the law `{law}` has no gains that follow from bandwidth and damping"
         raise not_tested(message, "without --bandwidth and --damping its present gains are judged")
+    if options.damping is not None and not robots.has_damping(controller):
+        message = "loops of hydraulic axes have no damping ratio: leaks and the law damp them"
+        raise not_tested(message, "give --bandwidth alone")
     damping = robots.STANDARD_DAMPING if options.damping is None else options.damping
+    shown_damping = damping if robots.has_damping(controller) else math.nan
     built = partial(_built, robot, controller, damping)
     grid, loads = place_grid(robot), _loads(station)
     bodies = [load for _, load in loads]
     with Progress(f"tuning {robot.name}") as progress:
-        if not check_places(robot, controller, grid, bodies[:1]):
+        if not held_cases(robot, grid, bodies[:1]):
             raise not_tested("the drives do not hold the arm at any place", "`ropsim check` says why")
         if not can_be_tuned:
             bandwidths = np.full(robot.n, np.nan)
@@ -57,7 +67,8 @@ def tune(options: argparse.Namespace, output: Output) -> int:
             bandwidths = _given(robot, controller, options.bandwidth)
         else:
             start = robots.loop_bandwidths(robot, _standard(robot, controller))
-            bandwidths = largest_bandwidths(robot, built, start, grid, bodies, progress)
+            alone = range(robot.n) if robots.has_damping(controller) else ()
+            bandwidths = largest_bandwidths(robot, built, start, grid, bodies, progress, alone)
         tuned = built(bandwidths) if can_be_tuned else controller
         checks = check_places(robot, tuned, grid, bodies, progress)
     shown = Tuned(
@@ -65,7 +76,7 @@ def tune(options: argparse.Namespace, output: Output) -> int:
         robot,
         tuned,
         bandwidths / _TURN,
-        damping,
+        shown_damping,
         grid,
         tuple(name for name, _ in loads),
         checks,
@@ -86,6 +97,8 @@ def _standard(robot: RobotModel, controller: ControllerModel) -> ControllerModel
     """Return the controller with the standard gains of its law."""
     if controller.kind is ControllerKind.CASCADED_P_PI:
         return robots.cascaded_controller(robot, controller.rates)
+    if not robots.has_damping(controller):
+        return robots.controller_under(robot, controller.rates, controller.kind)
     return robots.default_controller(robot, controller.rates)
 
 

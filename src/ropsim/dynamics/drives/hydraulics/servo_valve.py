@@ -155,17 +155,36 @@ def least_opening(record: Hydraulic) -> float:
 
 
 def crossing(grows: Callable[[float], float], most: float) -> float:
-    """Return where a function that grows is 0, by halving.
+    """Return where a function that grows is 0, by the method of Ridders, which halves at least.
+
+    C. J. F. Ridders: A new algorithm for computing a single root of a real continuous function, IEEE Trans.
+    Circuits and Systems 26 (1979), 979-980.
 
     Args:
         grows: the function.
         most: the place is within ±most.
     """
     low, high = -most, most
+    below, above = grows(low), grows(high)
+    if below >= 0.0 or above <= 0.0:
+        return low if below >= 0.0 else high
+    least, place = 2.0 * most * 0.5**_HALVINGS, low
     for _ in range(_HALVINGS):
-        between = 0.5 * (low + high)
-        low, high = (low, between) if grows(between) >= 0.0 else (between, high)
-    return 0.5 * (low + high)
+        half = 0.5 * (high - low)
+        middle = low + half
+        between = grows(middle)
+        before, place = place, middle - half * between / root(between * between - below * above)
+        if abs(place - before) <= least or half <= least:
+            break
+        value = grows(place)
+        for one, found in ((middle, between), (place, value)):
+            if found < 0.0 and one > low:
+                low, below = one, found
+            elif found >= 0.0 and one < high:
+                high, above = one, found
+        if not above:
+            return high
+    return place
 
 
 def _least(record: Hydraulic) -> float:
