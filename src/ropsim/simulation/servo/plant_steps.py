@@ -1,5 +1,6 @@
 """Integration steps in a control tick: as many as the fastest pole of drives and arm needs."""
 
+from collections.abc import Callable
 from functools import lru_cache
 from itertools import zip_longest
 from math import ceil, inf, isfinite
@@ -123,7 +124,8 @@ def fastest_pole(robot: RobotModel) -> float:
         Q = Q[loop_gaps(robot, Q) <= GAP]
     links = mass_matrices(robot, Q) - rotor_inertias(robot, Q)[:, :, np.newaxis] * np.eye(robot.n)
     springs = _springs(robot, Q)
-    poles = [_magnitudes(robot, layout, *one) for one in zip(Q, links, springs, strict=True)]
+    sides = plant_sides(robot)
+    poles = [_magnitudes(robot, layout, sides, *one) for one in zip(Q, links, springs, strict=True)]
     fastest = float(np.max(poles))
     return fastest if isfinite(fastest) else inf
 
@@ -135,11 +137,18 @@ def _springs(robot: RobotModel, Q: Array) -> Array:
     return -np.concatenate(pulled, axis=2)
 
 
-def _magnitudes(robot: RobotModel, layout: StateLayout, q: Array, links: Array, springs: Array) -> Array:
+def _magnitudes(
+    robot: RobotModel,
+    layout: StateLayout,
+    sides: Callable[[Array, Array], Array],
+    q: Array,
+    links: Array,
+    springs: Array,
+) -> Array:
     """Return the magnitudes of the poles at a configuration [1/s], all inf where an axis moves nothing."""
     n, size = robot.n, layout.integrated
     x, u = held_state(robot, q, Payload())
-    middle = plant_sides(robot, x, u)
+    middle = sides(x, u)
     mass = links + np.diag(middle[n : 2 * n])
     A = np.zeros((size, size))
     A[:n, n : 2 * n] = np.eye(n)
@@ -150,7 +159,7 @@ def _magnitudes(robot: RobotModel, layout: StateLayout, q: Array, links: Array, 
         at = [place for _, place in moved]
         step = np.zeros(size)
         step[at] = SMALL * np.maximum(1.0, np.abs(x[at]))
-        change = plant_sides(robot, x + step, u) - plant_sides(robot, x - step, u)
+        change = sides(x + step, u) - sides(x - step, u)
         for axis, place in moved:
             own = list(drives[axis])
             forces[axis, place] = change[axis] / (2.0 * step[place])

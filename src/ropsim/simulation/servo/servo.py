@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from ropsim.codegen import Compiled, Engine, StoppedError, bound, default_engine, load
+from ropsim.codegen import Compiled, Engine, StoppedError, bound, default_engine
 from ropsim.controller import (
     CompiledLaw,
     LawInput,
@@ -15,7 +15,6 @@ from ropsim.controller import (
     joint_law,
     law_arrays,
     law_model,
-    rehearse,
     stopped,
 )
 from ropsim.core import RopsimError
@@ -24,11 +23,11 @@ from ropsim.dynamics import (
     barycentric,
     check_model,
     closed_coordinates,
-    identifier,
     structure_of,
 )
 from ropsim.flow import JointReference
 from ropsim.model import ControllerKind, ControllerModel, Payload, Rates, RobotModel
+from ropsim.simulation.servo.bench import Bench, slice_of
 from ropsim.simulation.servo.checks import (
     check_aux,
     check_drives,
@@ -39,16 +38,15 @@ from ropsim.simulation.servo.checks import (
     check_reference,
     check_vector,
 )
-from ropsim.simulation.servo.diagnostics import DivergedError
+from ropsim.simulation.servo.diagnostics import BAD_OPTIONS, DivergedError, OptionError
 from ropsim.simulation.servo.divergence import diverged, first_fault, is_sound
 from ropsim.simulation.servo.held_state import held_drives
-from ropsim.simulation.servo.judged import full_values
 from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
 from ropsim.simulation.servo.recorder import Recorder
 from ropsim.simulation.servo.sensing import Sensing, Sensors, is_timed, sensing_of, sensor_rows
 from ropsim.simulation.servo.slice_log import Log
-from ropsim.simulation.servo.source import NO_SENSORS, frame_rows, servo_functions
+from ropsim.simulation.servo.source import NO_SENSORS
 from ropsim.simulation.servo.state import ServoState, StateLayout
 from ropsim.spatial import Array
 
@@ -85,7 +83,7 @@ class Servo:
     plant_steps: int
     sensors: Sensors
     kernel: Compiled
-    bench: "_Bench"
+    bench: Bench
 
     @classmethod
     def build(
@@ -122,14 +120,49 @@ class Servo:
         check_law(inner, robot)
         sensing = sensing_of(controller, inner)
         own = chosen if law is not None or controller.kind is ControllerKind.FILE else None
-        kernel = _kernel(
+        kernel = slice_of(
             robot, inner, sensing if python_law is None else NO_SENSORS, engine or default_engine(), own
         )
         layout = StateLayout.of(structure_of(robot), inner.traits, sensing.kept)
+        return cls._made(robot, controller, (inner, python_law), sensing, (layout, kernel))
+
+    def varied(self, robot: RobotModel, controller: ControllerModel, law: CompiledLaw) -> "Servo":
+        """Return the servo of the same structure with other numbers; no code is generated or compiled.
+
+        Args:
+            robot: arm that differs in numbers only.
+            controller: rates, and sensors of the same kinds.
+            law: that of this servo, with other parameters or another model of the arm.
+
+        Raises:
+            DriveDataError: a constant of a drive is impossible.
+            OptionError: S703, the arm or the law has another structure.
+            ModelNumberError: a number of the model is not finite.
+        """
+        check_drives(robot)
+        check_model(robot)
+        is_same = law.source == self.law.source and law.traits == self.law.traits
+        if not is_same or structure_of(robot) != structure_of(self.robot):
+            message = f"arm `{robot.name}` or law `{law.name}` differs in more than numbers"
+            raise OptionError(BAD_OPTIONS.at(None, message, hint="build another servo for it"))
+        sensing = sensing_of(controller, law)
+        return self._made(robot, controller, (law, self.python_law), sensing, (self.layout, self.kernel))
+
+    @classmethod
+    def _made(
+        cls,
+        robot: RobotModel,
+        controller: ControllerModel,
+        laws: tuple[CompiledLaw, PythonLaw | None],
+        sensing: Sensing,
+        code: tuple[StateLayout, Compiled],
+    ) -> "Servo":
+        """Return a servo around code that is there."""
+        (inner, python_law), (layout, kernel) = laws, code
         steps = plant_steps_of(robot, controller.rates)
         rates = replace(controller.rates, plant_steps=steps)
         numbers = sensor_rows(controller, inner)
-        bench = _Bench.of(kernel, inner, numbers, layout, rates, robot)
+        bench = Bench.of(kernel, inner, numbers, layout, rates, robot)
         sensors = Sensors(sensing, numbers, is_timed(controller, inner))
         return cls(robot, inner, python_law, layout, rates.control_hz, steps, sensors, kernel, bench)
 
@@ -331,60 +364,3 @@ class Servo:
 
 _Rows = tuple[Array, Array, Array]
 """Coordinates, speeds and accelerations of a reference, as compiled code takes them."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Bench:
-    """Arrays shared by the calls of a slice; their contents do not persist between calls.
-
-    Attributes:
-        values: the state vector while it is worked on.
-        parameters: of the law, and below them its model and the sensors.
-        slice: the compiled slice with room to work in, parameters of the law and rates.
-        slices: the same for a payload.
-        width: numbers in a row of the log.
-    """
-
-    values: Array
-    parameters: Array
-    width: int
-    slice: Compiled
-    slices: dict[Payload, Compiled]
-
-    @classmethod
-    def of(
-        cls,
-        kernel: Compiled,
-        law: CompiledLaw,
-        sensors: Array,
-        layout: StateLayout,
-        rates: Rates,
-        robot: RobotModel,
-    ) -> "_Bench":
-        values, model = np.zeros(layout.size), law.model.rows if law.model else sensors[:0]
-        parameters = np.vstack((law.parameters, model, sensors))
-        state = (values, layout.in_force(values), layout.waiting(values), layout.remembered(values))
-        ends, full = np.array([robot.lower_limits, robot.upper_limits]), full_values(robot)
-        room = (np.zeros((frame_rows(law), layout.n)), np.zeros((5, layout.integrated)), np.zeros(len(full)))
-        given = (*state, parameters, *room, ends, full, rates.plant_steps, 1.0 / rates.control_hz)
-        made = bound(kernel, *given)
-        return cls(values, parameters, len(full), made, {})
-
-
-def _kernel(
-    robot: RobotModel,
-    law: CompiledLaw,
-    sensing: Sensing,
-    engine: Engine,
-    own: CompiledLaw | PythonLaw | None,
-) -> Compiled:
-    """Return the compiled slice; `own` is the law of a user, which is tried first."""
-    functions = servo_functions(structure_of(robot), law, sensing)
-    name = f"{identifier(robot.name)}_servo_{law.name}"
-    if not isinstance(own, CompiledLaw):
-        return load(name, functions, engine)
-    rehearse(law, robot.n)
-    try:
-        return load(name, functions, engine)
-    except Exception as error:  # numba has a family of errors for code that it cannot compile
-        raise failed(law, error) from error
