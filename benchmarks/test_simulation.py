@@ -24,7 +24,15 @@ from ropsim.model import Cell, Payload
 from ropsim.motion import JointPoints, torques
 from ropsim.motion.testing import utilisation_as_planned, with_torque
 from ropsim.planning import MotionPlan, MotionState, Refusal, arm_bounds, plan, plan_move
-from ropsim.simulation import Fidelity, KeptPlans, RunOptions, Servo
+from ropsim.simulation import (
+    Fidelity,
+    KeptPlans,
+    RunOptions,
+    Servo,
+    SimulationOptions,
+    Variation,
+    simulate_variations,
+)
 from ropsim.spatial import Array
 from support.cells import chain_of
 
@@ -139,6 +147,38 @@ def test_servo_tick(benchmark: Any) -> None:
     measure.figure("share of the bare dynamics in it", evaluations * bare / time_.best, least=0.4)
     measure.figure("us that a slice costs beside its ticks", 1e6 * (sliced - whole) / slices)
     measure.figure("times what one slice for all ticks takes", sliced / whole, most=1.7)
+
+
+@pytest.mark.parametrize("kind", ["all numbers", "stated steps", "payload"])
+def test_variations_of_the_numbers_of_an_arm(benchmark: Any, kind: str) -> None:
+    """Two seconds of motion for each of a hundred choices of numbers: one, and its motion alone."""
+    way, rng = three_moves(), np.random.default_rng(1)
+    motion = JointReference(way.q[:2000], way.qd[:2000], way.qdd[:2000])
+    servo, controller = Servo.build(ROBOT, CONTROLLER), CONTROLLER
+    if kind == "stated steps":
+        controller = replace(controller, rates=replace(controller.rates, plant_steps=servo.plant_steps))
+    options, state = SimulationOptions(decimation=10), servo.initial_state(ROBOT.home)
+
+    def choice() -> Variation:  # each is new: nothing is known of it
+        masses, friction, stiffness, kp, mass = rng.uniform(0.8, 1.2, 5).tolist()
+        load = Payload(3.0 * mass, np.array([0.0, 0.0, 0.1]), 0.01 * np.eye(3))
+        if kind == "payload":
+            return Variation(payload=load)
+        return Variation(masses, friction, stiffness, {"kp": kp}, load)
+
+    def study() -> None:
+        choices = (choice() for _ in range(100))
+        for found in simulate_variations(ROBOT, controller, motion, choices, options):
+            assert isinstance(found, Recording)
+
+    def alone() -> None:
+        servo.run(state, motion, Payload(), servo.recorder(state, 10))
+
+    measure = Measure(benchmark)
+    measure(study, rounds=1)
+    whole, one = processor_seconds(study, alone, rounds=2)
+    measure.figure("ms per variation", 10.0 * whole, most=40.0)
+    measure.figure("ms of its motion", 1e3 * one)
 
 
 def test_whole_run_warm(benchmark: Any) -> None:

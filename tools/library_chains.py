@@ -61,7 +61,8 @@ def _joint(name: str, row: dict[str, Any], R_before: Array, R: Array) -> Joint:
     lower, upper = map(radians, row["limits"])
     speed, acceleration = float(row["speed"]), float(row["acceleration"])
     motion = speed, acceleration, _STEEPER * acceleration
-    return Joint(name, JointType.REVOLUTE, Pose.from_matrix(X), 0.0, lower, upper, *motion)
+    most = abs(row["drive"]["ratio"]) * float(row["drive"]["max_torque"])
+    return Joint(name, JointType.REVOLUTE, Pose.from_matrix(X), 0.0, lower, upper, *motion, max_effort=most)
 
 
 def _link(row: dict[str, Any], R: Array) -> Link:
@@ -71,7 +72,7 @@ def _link(row: dict[str, Any], R: Array) -> Link:
 
 
 def _drive(row: dict[str, float]) -> Drive:
-    """Return a drive: friction at the motor or at the joint, spring and damper of its gear at the motor."""
+    """Return a drive: friction at the motor or at the joint; torque limit, spring and damper at the motor."""
     ratio = row["ratio"]
     viscous = row.get("viscous", row.get("viscous_at_joint", 0.0) / ratio**2)
     dry = row.get("coulomb", row.get("coulomb_at_joint", 0.0) / abs(ratio))
@@ -79,4 +80,4 @@ def _drive(row: dict[str, float]) -> Drive:
     gear: Transmission = Gear(ratio)
     if "stiffness" in row:
         gear = ElasticGear(ratio, row["stiffness"] * ratio**2, row["damping"] * ratio**2)
-    return Drive(EffortAmplifier(), motor, gear, Friction(viscous, dry, -dry))
+    return Drive(EffortAmplifier(row["max_torque"]), motor, gear, Friction(viscous, dry, -dry))

@@ -10,6 +10,7 @@ from ropsim.controller.correction_room import ShiftedJoints as ShiftedJoints
 from ropsim.controller.diagrams.diagram_law import diagram_law as diagram_law
 from ropsim.controller.diagrams.law_files import law_file_findings as law_file_findings
 from ropsim.controller.diagrams.own_module import made_by_module as made_by_module
+from ropsim.controller.diagrams.own_module import syntax_finding as syntax_finding
 from ropsim.controller.diagrams.own_module import untrusted as untrusted
 from ropsim.controller.hydraulics.flow_law import flow_load_damping as flow_load_damping
 from ropsim.controller.hydraulics.parallel_pi import parallel_pi as parallel_pi

@@ -89,7 +89,8 @@ MODULE_FAILS = define(
     Severity.ERROR,
     "a module of the project that makes a controller does not do its work",
     """
-The module cannot be read as Python, raises an exception, or has no function of the name that is needed:
+The module, or another one of the project that it imports, cannot be read as Python or raises an exception,
+or it has no function of the name that is needed:
 `joint_controller(robot, controller)` for `file` in `[controller]`, which returns a `CompiledLaw` or an
 object with `traits` and `step`; for a key of `[controller.entities]` the function of its name, such as
 `path_planner(standard, cell, station)`, which returns an object in place of the standard one.

@@ -21,24 +21,22 @@ def check_model(robot: Mechanism) -> None:
         MechanismError: the mechanism cannot be, or its closed chains cannot be closed or hold an axis.
         ModelNumberError: a drive cannot exist.
     """
+    _checked(robot)
+
+
+@lru_cache(maxsize=64)
+def _checked(robot: Mechanism) -> None:
     _check_counts(robot)
     check_mechanism(robot)
-    if robot.cuts:
-        _check_loops(robot)
+    for found in loop_freedom(robot) if robot.cuts else ():
+        if found.code != LOOP_LOOSE.code:  # coordinates that closed chains leave free are no fault
+            raise MechanismError(found)
     for joint, drive in zip(robot.axis_joints, robot.drives, strict=bool(robot.drives)):
         fault = drive_fault(drive)
         if fault:
             what, why = fault
             message = f"{what} of the drive of joint `{joint.name}` of arm `{robot.name}` {why}"
             raise ModelNumberError(IMPOSSIBLE_DRIVE.at(None, message, hint="look it up in the data sheet"))
-
-
-@lru_cache(maxsize=64)
-def _check_loops(robot: Mechanism) -> None:
-    """Make sure that closed chains can be closed and move; coordinates that they leave free are no fault."""
-    for found in loop_freedom(robot):
-        if found.code != LOOP_LOOSE.code:
-            raise MechanismError(found)
 
 
 def _check_counts(robot: Mechanism) -> None:

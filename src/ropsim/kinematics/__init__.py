@@ -47,6 +47,8 @@ from ropsim.kinematics.chain.loop_passage import is_as_at_home as is_as_at_home
 from ropsim.kinematics.chain.loop_passage import loop_passage as loop_passage
 from ropsim.kinematics.chain.tool_pose_kernel import write_pose_product as write_pose_product
 from ropsim.kinematics.chain.tool_pose_kernel import write_tool_pose as write_tool_pose
+from ropsim.kinematics.damped_path import DampedPath as DampedPath
+from ropsim.kinematics.damped_path import damped_path as damped_path
 from ropsim.kinematics.diagnostics import LOOP_CHANGES as LOOP_CHANGES
 from ropsim.kinematics.diagnostics import LOOP_LOCKS as LOOP_LOCKS
 from ropsim.kinematics.diagnostics import LOOP_LOOSE as LOOP_LOOSE

@@ -130,6 +130,10 @@ from ropsim.model.drives.supply import HydraulicSupply as HydraulicSupply
 from ropsim.model.drives.thermal_motor import COPPER as COPPER
 from ropsim.model.drives.thermal_motor import GuardedAmplifier as GuardedAmplifier
 from ropsim.model.drives.thermal_motor import ThermalDcMotor as ThermalDcMotor
+from ropsim.model.entities import BUILT_IN as BUILT_IN
+from ropsim.model.entities import BuiltIn as BuiltIn
+from ropsim.model.entities import Entity as Entity
+from ropsim.model.entities import OwnEntity as OwnEntity
 from ropsim.model.findings.diagnostics import ESTIMATED_PARAMETERS as ESTIMATED_PARAMETERS
 from ropsim.model.findings.diagnostics import INDEFINITE_INERTIA as INDEFINITE_INERTIA
 from ropsim.model.findings.diagnostics import MASSLESS_LINK as MASSLESS_LINK
@@ -208,8 +212,13 @@ from ropsim.model.mechanism.placements import pose_matrices as pose_matrices
 from ropsim.model.mechanism.placements import snapped as snapped
 from ropsim.model.mechanism.springs import JointSpring as JointSpring
 from ropsim.model.mechanism.springs import Spring as Spring
-from ropsim.model.own_entities import Entity as Entity
-from ropsim.model.own_entities import OwnEntity as OwnEntity
+from ropsim.model.project_modules import Import as Import
+from ropsim.model.project_modules import ProjectModule as ProjectModule
+from ropsim.model.project_modules import file_at as file_at
+from ropsim.model.project_modules import import_folders as import_folders
+from ropsim.model.project_modules import imports_in as imports_in
+from ropsim.model.project_modules import module_files as module_files
+from ropsim.model.project_modules import places_of as places_of
 from ropsim.model.robots.arm_class import ArmClass as ArmClass
 from ropsim.model.robots.composition import beside as beside
 from ropsim.model.robots.composition import on_track as on_track

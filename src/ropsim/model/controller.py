@@ -6,10 +6,10 @@ from typing import ClassVar
 
 from ropsim.core import frozen_dataclass
 from ropsim.flow import ParameterOrigin
+from ropsim.model.entities import BuiltIn, OwnEntity
 from ropsim.model.findings.number_range import COORDINATE, EXTENT, RATE, TIME, Ranges, between, whole
 from ropsim.model.joint_sensors import JointSensors
 from ropsim.model.law_file import LawFile
-from ropsim.model.own_entities import OwnEntity
 from ropsim.spatial import Array, frozen, record
 
 
@@ -327,6 +327,7 @@ class ControllerModel:
         correction: how far and how quickly a sensor may shift a path.
         sensors: of the joint controller.
         entities: that modules of the project make in place of the built-in ones.
+        built_in: built-in entities in place of the standard ones.
         origins: where the gains come from.
     """
 
@@ -354,6 +355,7 @@ class ControllerModel:
     correction: CorrectionLimits = CorrectionLimits()
     sensors: JointSensors = JointSensors()
     entities: tuple[OwnEntity, ...] = ()
+    built_in: tuple[BuiltIn, ...] = ()
     origins: tuple[ParameterOrigin, ...] = ()
 
     def __post_init__(self) -> None:

@@ -5,6 +5,7 @@ from typing import ClassVar
 
 from ropsim.core import frozen_dataclass
 from ropsim.model.findings.number_range import Ranges
+from ropsim.model.project_modules import ProjectModule
 
 DIAGRAM_ENDINGS = (".stp", ".step", ".p21")
 """Endings of neutral controllers: block diagrams as exchange files of ISO 10303-21."""
@@ -20,6 +21,7 @@ class LawFile:
         path: of the file in the project.
         text: of the file; empty where it has not been read.
         is_trusted: whether code of the project may run; a block diagram needs no trust.
+        modules: of the project that it imports, directly and through one another.
     """
 
     RANGES: ClassVar[Ranges] = {}
@@ -27,6 +29,7 @@ class LawFile:
     path: str
     text: str = ""
     is_trusted: bool = False
+    modules: tuple[ProjectModule, ...] = ()
 
     @property
     def is_code(self) -> bool:

@@ -23,6 +23,7 @@ from ropsim.planning.moves.path_planner import StandardPathPlanner as StandardPa
 from ropsim.planning.planning import ordered as ordered
 from ropsim.planning.planning import plan as plan
 from ropsim.planning.planning import timed as timed
+from ropsim.planning.postures.damped_inverse import DampedInverseTransform as DampedInverseTransform
 from ropsim.planning.records.coordination import Coordination as Coordination
 from ropsim.planning.records.entities import Interpolator as Interpolator
 from ropsim.planning.records.entities import InverseTransform as InverseTransform
@@ -38,6 +39,9 @@ from ropsim.planning.records.motion_plan import MotionSequence as MotionSequence
 from ropsim.planning.records.motion_plan import MotionState as MotionState
 from ropsim.planning.records.motion_plan import TimedMove as TimedMove
 from ropsim.planning.records.moving_frames import MovingFrame as MovingFrame
+from ropsim.planning.records.path_corrector import (
+    ProportionalIntegralCorrector as ProportionalIntegralCorrector,
+)
 from ropsim.planning.records.path_corrector import StandardPathCorrector as StandardPathCorrector
 from ropsim.planning.records.planned_path import MoveLimits as MoveLimits
 from ropsim.planning.records.planned_path import PlannedPath as PlannedPath

@@ -57,7 +57,9 @@ from ropsim.simulation.servo.state import ServoState as ServoState
 from ropsim.simulation.servo.state import StateLayout as StateLayout
 from ropsim.simulation.simulate import SimulationOptions as SimulationOptions
 from ropsim.simulation.simulate import simulate as simulate
+from ropsim.simulation.simulate import simulate_variations as simulate_variations
 from ropsim.simulation.state.run_options import RunOptions as RunOptions
+from ropsim.simulation.state.variation import Variation as Variation
 from ropsim.simulation.state.watch import NobodyWatches as NobodyWatches
 from ropsim.simulation.state.watch import RunView as RunView
 from ropsim.simulation.state.watch import Watch as Watch

@@ -12,6 +12,7 @@ from ropsim.userfiles.journal import Journal as Journal
 from ropsim.userfiles.recent_projects import recent_projects as recent_projects
 from ropsim.userfiles.recent_projects import remember_project as remember_project
 from ropsim.userfiles.text_file import LARGEST as LARGEST
+from ropsim.userfiles.text_file import MISSING_PATH as MISSING_PATH
 from ropsim.userfiles.text_file import UNREADABLE as UNREADABLE
 from ropsim.userfiles.text_file import missing_file as missing_file
 from ropsim.userfiles.text_file import read_program_file as read_program_file

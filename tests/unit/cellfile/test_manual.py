@@ -9,7 +9,7 @@ import pytest
 
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
-from ropsim.model import Entity
+from ropsim.model import BuiltIn, Entity
 
 MANUAL = (Path(__file__).parents[3] / "docs" / "reference" / "cell-file.md").read_text("utf-8")
 EXAMPLES = re.findall(r"```toml\n(.*?)```", MANUAL, flags=re.DOTALL)
@@ -31,7 +31,7 @@ def test_every_example_is_a_right_cell_file(example: str) -> None:
 
 
 def test_the_examples_show_what_they_are_about() -> None:
-    first, external, measured, own, stations, axis, devices, library, frames, pressed, sensing = (
+    first, external, measured, chosen, own, stations, axis, devices, library, frames, pressed, sensing = (
         read_cell(SourceText("", one), "")[0] for one in EXAMPLES
     )
     assert first is not None
@@ -44,6 +44,8 @@ def test_the_examples_show_what_they_are_about() -> None:
     assert coordinate.step.tolist() == [math.pi / 2.0**15] * 2
     assert pressure.step.tolist() == [25e6 / 2.0**12] * 2
     assert (pressure.delay, pressure.noise.tolist()) == (1e-3, [1e4, 1e4])
+    assert chosen is not None
+    assert chosen.first.controller.built_in == (BuiltIn.TRAPEZOIDAL, BuiltIn.LINEAR)
     assert own is not None
     (entity,) = own.first.controller.entities
     assert (entity.entity, entity.file.path) == (Entity.PATH_PLANNER, "controllers/reduced.py")

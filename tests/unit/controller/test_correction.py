@@ -19,7 +19,15 @@ from ropsim.controller.correction_room import SHARE
 from ropsim.flow import JointReference, PathTracking, ToolDirection
 from ropsim.kinematics import forward
 from ropsim.model import CorrectionLimits, Payload
-from ropsim.planning import PLANNED_ACCELERATION, PLANNED_SPEED, Sample, StandardPathCorrector, arm_bounds
+from ropsim.planning import (
+    PLANNED_ACCELERATION,
+    PLANNED_SPEED,
+    PathCorrector,
+    ProportionalIntegralCorrector,
+    Sample,
+    StandardPathCorrector,
+    arm_bounds,
+)
 from ropsim.planning.testing import with_correction
 from ropsim.spatial import Pose
 
@@ -165,6 +173,43 @@ def test_the_standard_corrector_does_not_swing_past_however_great_its_gain_and_t
             shifts.append(now.value)
         assert shifts[-1] == pytest.approx(0.02, abs=1e-6)
         assert max(shifts) < 0.02 + 2e-5
+
+
+def follow(corrector: PathCorrector, gain: float, speed: float) -> list[float]:
+    """Return what is left to a surface that runs away with a speed [m/s], tick by tick [m]."""
+    tracking, now, left = PathTracking("gap", 0.0, gain=gain), Correction(1e-6), []
+    room = CorrectionRange(-1.0, 1.0, 0.1, 10.0)
+    for number in range(2000):
+        left.append(speed * number * PERIOD - now.value)
+        wanted = corrector.correct(Sample(left[-1], valid=True, age=0.0), tracking, Pose(), now.value)
+        now = next_correction(now, wanted, room, 10.0, PERIOD)
+    return left
+
+
+def test_behind_a_surface_that_runs_away_the_proportional_corrector_stays_v_over_k() -> None:
+    left = follow(StandardPathCorrector(CorrectionLimits(1.0, 0.1, 10.0)), 5.0, 0.01)
+    assert left[-1] == pytest.approx(0.01 / 5.0, rel=1e-3)
+
+
+def test_behind_a_surface_that_runs_away_the_integral_leaves_nothing_and_does_not_swing() -> None:
+    left = follow(ProportionalIntegralCorrector(CorrectionLimits(1.0, 0.1, 10.0), PERIOD), 5.0, 0.01)
+    assert abs(left[-1]) < 1e-9
+    assert min(left) > -2e-6  # two poles at k/2
+    half = 0.5 * 5.0  # e(t) = v·t·exp(-k·t/2)
+    assert max(left) == pytest.approx(0.01 / half / np.e, rel=0.02)
+
+
+def test_the_integral_begins_anew_with_each_move_and_stands_still_while_the_speed_is_clipped() -> None:
+    corrector = ProportionalIntegralCorrector(CorrectionLimits(1.0, 0.1, 10.0), PERIOD)
+    far, near = Sample(10.0, valid=True, age=0.0), Sample(1e-3, valid=True, age=0.0)
+    first, second = (PathTracking("gap", 0.0, gain=one) for one in (5.0, 4.0))
+    for _ in range(1000):
+        assert corrector.correct(far, first, Pose(), 0.001) == 0.1
+    assert corrector.correct(near, first, Pose(), 0.001) == pytest.approx(5e-3)
+    for _ in range(100):
+        corrector.correct(near, first, Pose(), 0.001)
+    assert corrector.correct(near, first, Pose(), 0.001) > 6e-3
+    assert corrector.correct(near, second, Pose(), 0.001) == pytest.approx(4e-3)
 
 
 def test_a_correction_takes_its_share_of_the_speeds_and_accelerations_of_the_joints_and_no_more() -> None:

@@ -1,4 +1,4 @@
-"""A third time law is one file and one table entry: here a trapezoidal one, without a limit of jerk."""
+"""A third time law is one file and one table entry: here a stopping one, without a limit of jerk."""
 
 from dataclasses import replace
 
@@ -15,7 +15,7 @@ WAY, SPEED, ACCELERATION = 0.2, 0.1, 2.0  # [m], [m/s], [m/s²]
 MODAL = ModalState(path_speed=SPEED, path_acceleration=ACCELERATION)
 
 
-def trapezoidal(limits: Array, counts: Array) -> PiecewiseLaw:
+def stopping(limits: Array, counts: Array) -> PiecewiseLaw:
     """Return a law that stops at the end of each interval: at rest, constant acceleration, speed, braking."""
     phases, ends, time, before = list[tuple[float, ...]](), list[float](), 0.0, 0
     for segment, count in enumerate(counts.astype(int).tolist()):
@@ -33,11 +33,11 @@ def trapezoidal(limits: Array, counts: Array) -> PiecewiseLaw:
 
 
 def test_a_chain_that_names_a_law_of_the_table_is_timed_by_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("ropsim.planning.planning.TIME_LAWS", {**TIME_LAWS, "trapezoidal": trapezoidal})
+    monkeypatch.setattr("ropsim.planning.planning.TIME_LAWS", {**TIME_LAWS, "stopping": stopping})
     joints = tuple(replace(one, max_jerk=1e9) for one in CHAIN.robot.joints)  # steps of acceleration are kept
     chain = replace(CHAIN, robot=replace(CHAIN.robot, joints=joints))
     moves = [lin(shifted(interface_pose(START), -WAY, 0.0, 0.0), MODAL)]
-    planned, refusal = plan(replace(chain, time_law="trapezoidal"), moves, MotionState.at_rest(START))
+    planned, refusal = plan(replace(chain, time_law="stopping"), moves, MotionState.at_rest(START))
     usual, _ = plan(chain, moves, MotionState.at_rest(START))
     assert refusal is None
     assert planned is not None

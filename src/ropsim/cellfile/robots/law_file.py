@@ -6,8 +6,10 @@ from pathlib import PurePosixPath
 from ropsim.cellfile.diagnostics import LAW_FILE
 from ropsim.core import LeadsOutError, check_stated, outside_project
 from ropsim.model import (
+    BUILT_IN,
     DIAGRAM_ENDINGS,
     MODULE_ENDING,
+    BuiltIn,
     ControllerKind,
     ControllerModel,
     Entity,
@@ -49,25 +51,34 @@ def with_law_file(table: TomlTable, controller: ControllerModel) -> ControllerMo
     return replace(controller, kind=ControllerKind.FILE, gains=LawFile(path), origins=(origin, *others))
 
 
-def read_entities(table: TomlTable) -> tuple[OwnEntity, ...]:
-    """Return the entities of a controller that modules of the project make.
+def read_entities(table: TomlTable) -> tuple[tuple[OwnEntity, ...], tuple[BuiltIn, ...]]:
+    """Return the entities of a controller that modules of the project make, and the built-in ones by name.
 
     Args:
         table: `[controller.entities]`, or a stand-in.
     """
-    found = []
+    own, chosen = list[OwnEntity](), list[BuiltIn]()
     for entity in Entity:
-        if entity.value in table:
-            path = _path(table, entity.value, (MODULE_ENDING,))
-            found += [OwnEntity(entity, LawFile(path))] if path else []
-        else:
-            table.ask(entity.value, Question(Sort.TEXT))
+        words = tuple(one.value for one in BUILT_IN[entity])
+        if table.values.get(entity.value) in words:
+            chosen.append(BuiltIn(table.text(entity.value, "")))
+        elif entity.value in table:
+            path = _path(table, entity.value, (MODULE_ENDING,), words)
+            own += [OwnEntity(entity, LawFile(path))] if path else []
+        table.ask(entity.value, Question(Sort.TEXT, likely=words))
     table.finish()
-    return tuple(found)
+    return tuple(own), tuple(chosen)
 
 
-def _path(table: TomlTable, key: str, endings: tuple[str, ...]) -> str:
-    """Return the path of a file in the project; empty where it cannot be one, which is noted."""
+def _path(table: TomlTable, key: str, endings: tuple[str, ...], words: tuple[str, ...] = ()) -> str:
+    """Return the path of a file in the project; empty where it cannot be one, which is noted.
+
+    Args:
+        table: section with the key.
+        key: of the path.
+        endings: that are allowed.
+        words: that are allowed in place of a path.
+    """
     path = table.text(key, "")
     span = table.value_span(key)
     if not path:
@@ -77,7 +88,8 @@ def _path(table: TomlTable, key: str, endings: tuple[str, ...]) -> str:
     if PurePosixPath(path).suffix.lower() not in endings:
         allowed = ", ".join(f"`{one}`" for one in endings)
         message = f"`{path[:200]}` is no file for `{table.name_of(key)}`, these end with {allowed}"
-        table.findings.add(LAW_FILE, span, message)
+        others = ", ".join(f"`{one}`" for one in words)
+        table.findings.add(LAW_FILE, span, message, f"built-in ones are {others}" if words else "")
         return ""
     try:
         check_stated(path)

@@ -208,6 +208,7 @@ def _controller(
     sensors = read_sensors(table.table("sensors"), model, units)
     words = [sensor_words(sensors)] if sensors.sensors else []
     measured = tuple(ParameterOrigin("sensors", OriginKind.DERIVED, one) for one in words)
+    own, built_in = read_entities(table.table("entities"))
     names = gain_names(controller.gains)
     given = [name for name in names if name in table]
     given_path = [name for name in _PATH_KEYS if name in table]
@@ -243,7 +244,8 @@ def _controller(
         )
         + measured,
         sensors=sensors,
-        entities=read_entities(table.table("entities")),
+        entities=own,
+        built_in=built_in,
     )
 
 

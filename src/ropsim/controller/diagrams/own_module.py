@@ -1,15 +1,15 @@
 """A module of a project, which makes entities of the controller; it runs in trusted projects only."""
 
 from traceback import extract_tb
-from types import ModuleType
 
+from ropsim.controller.diagrams.module_loading import ModuleLoading
 from ropsim.controller.law_diagnostics import MODULE_FAILS, MODULE_NOT_TRUSTED, LawError
 from ropsim.core import Diagnostic, RopsimError, SourceText
 from ropsim.model import LawFile
 
 
 def made_by_module(file: LawFile, entry: str, *arguments: object) -> object:
-    """Return the result of a function of a module of the project; the module is run anew.
+    """Return the result of a function of a module of the project; it and its imports are run anew.
 
     Args:
         file: the module.
@@ -21,12 +21,11 @@ def made_by_module(file: LawFile, entry: str, *arguments: object) -> object:
     """
     if not file.is_trusted:
         raise LawError(untrusted(file))
-    module = ModuleType("project_module")
-    module.__file__ = file.path
+    loading = ModuleLoading(file)
     try:
-        exec(compile(file.text, file.path, "exec"), module.__dict__)  # the user trusts the project
+        module = loading.module(file.path)
     except (Exception, SystemExit) as error:  # any exception of a user's code is reported
-        raise LawError(_failure(file, error)) from error
+        raise LawError(_failure(loading, file, error)) from error
     function = getattr(module, entry, None)
     if not callable(function):
         message = f"`{file.path}` defines no function `{entry}`"
@@ -36,7 +35,7 @@ def made_by_module(file: LawFile, entry: str, *arguments: object) -> object:
     except RopsimError:
         raise
     except (Exception, SystemExit) as error:  # any exception of a user's code is reported
-        raise LawError(_failure(file, error)) from error
+        raise LawError(_failure(loading, file, error)) from error
     return made
 
 
@@ -59,14 +58,15 @@ def syntax_finding(text: SourceText) -> Diagnostic | None:
     return None
 
 
-def _failure(file: LawFile, error: BaseException) -> Diagnostic:
-    """Return the finding that code of a module fails, with the line of the module."""
+def _failure(loading: ModuleLoading, file: LawFile, error: BaseException) -> Diagnostic:
+    """Return the finding that code of a module fails, with the line of it or of the one that it imports."""
     lines = [one.strip() for one in str(error).splitlines() if one.strip()]
     words = f"{type(error).__name__}: {lines[0]}" if lines else type(error).__name__
-    places = [one.lineno for one in extract_tb(error.__traceback__) if one.filename == file.path]
-    if isinstance(error, SyntaxError) and error.filename == file.path:
-        places.append(error.lineno)
-    where = f", line {places[-1]}" if places and places[-1] else ""
-    return MODULE_FAILS.at(
-        None, f"`{file.path}`{where} fails: {words}", hint="see docs/how-to/own-controller.md"
-    )
+    places = [
+        (one.filename, one.lineno) for one in extract_tb(error.__traceback__) if one.filename in loading.paths
+    ]
+    if isinstance(error, SyntaxError) and error.filename in loading.paths:
+        places.append((error.filename or file.path, error.lineno))
+    path, line = places[-1] if places else (file.path, None)
+    where = f", line {line}" if line else ""
+    return MODULE_FAILS.at(None, f"`{path}`{where} fails: {words}", hint="see docs/how-to/own-controller.md")

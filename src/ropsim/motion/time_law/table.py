@@ -4,7 +4,9 @@ from collections.abc import Mapping
 
 from ropsim.motion.time_law.jerk_limited import jerk_limited
 from ropsim.motion.time_law.law import TimeLawPlanner
+from ropsim.motion.time_law.trapezoidal import trapezoidal
 
 JERK_LIMITED = "jerk-limited"
-TIME_LAWS: Mapping[str, TimeLawPlanner] = {JERK_LIMITED: jerk_limited}
+TRAPEZOIDAL = "trapezoidal"
+TIME_LAWS: Mapping[str, TimeLawPlanner] = {JERK_LIMITED: jerk_limited, TRAPEZOIDAL: trapezoidal}
 """Name of a law -> its planner."""

@@ -69,7 +69,7 @@ class StandardInverseTransform:
             a joint limit, M505 at a jump, M506 without a tool, M530 where an arm with few joints cannot take
             a pose of the path.
         """
-        X_MT = self._work.tool_pose(move.modal, move.origin.span)
+        X_MT = self.tool_of(move)
         if isinstance(X_MT, Diagnostic):
             return Refusal((X_MT,))
         line = Line(move, setpoints, q_start, self.robot, X_MT)
@@ -96,6 +96,10 @@ class StandardInverseTransform:
             derivatives = path_derivatives(self.robot, found.q, X_MT, setpoints.derivatives)
         findings = end_findings(move, found.q[-1])
         return JointSamples(setpoints.length, found.q, findings, setpoints.parameters, derivatives)
+
+    def tool_of(self, move: MoveInstruction) -> Pose | Diagnostic:
+        """Return X_MT of the tool of a move, or M506."""
+        return self._work.tool_pose(move.modal, move.origin.span)
 
 
 @lru_cache(maxsize=64)

@@ -1,6 +1,6 @@
 """Drives and arm as source: straight-line code, or loops over the joints of a long arm."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 
 import numpy as np
@@ -227,20 +227,25 @@ def efforts(robot: RobotModel, x: Array, u: Array, tau: Array) -> None:
     _evaluated(robot, "efforts", x, u, tau)
 
 
-def plant_sides(robot: RobotModel, x: Array, u: Array) -> Array:
-    """Return what the drives do at the joints: efforts less friction, inertias, and rates of their states.
+def plant_sides(robot: RobotModel) -> Callable[[Array, Array], Array]:
+    """Return what the drives of an arm do at the joints, as a function of x and u.
+
+    It takes the integrated part of the state vector and the output of the amplifiers, and returns efforts
+    less friction [N·m | N], inertias [kg·m² | kg] and rates of their states, in the shape of x.
 
     Args:
         robot: arm with drives.
-        x: integrated part of the state vector.
-        u: output of the amplifiers.
-
-    Returns:
-        Shape of `x`: efforts [N·m | N], inertias [kg·m² | kg], rates.
     """
-    code, result = _sides_code(structure_of(robot)), np.empty(len(x))
-    load("drives", code.functions, Engine.PYTHON)(x, u, code.constants(arm_numbers(robot)), result)
-    return result
+    code = _sides_code(structure_of(robot))
+    constants = code.constants(arm_numbers(robot))
+    evaluate = load("drives", code.functions, Engine.PYTHON)
+
+    def sides(x: Array, u: Array) -> Array:
+        result = np.empty(len(x))
+        evaluate(x, u, constants, result)
+        return result
+
+    return sides
 
 
 @lru_cache(maxsize=64)

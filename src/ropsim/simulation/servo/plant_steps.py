@@ -1,5 +1,6 @@
 """Integration steps in a control tick: as many as the fastest pole of drives and arm needs."""
 
+from collections.abc import Callable
 from functools import lru_cache
 from itertools import zip_longest
 from math import ceil, inf, isfinite
@@ -136,7 +137,8 @@ def fastest_pole(robot: RobotModel) -> float:
         Q = Q[loop_gaps(robot, Q) <= GAP]
     links = mass_matrices(robot, Q) - rotor_inertias(robot, Q)[:, :, np.newaxis] * np.eye(robot.n)
     springs = _springs(robot, Q)
-    poles = [_magnitudes(robot, layout, *one) for one in zip(Q, links, springs, strict=True)]
+    sides = plant_sides(robot)
+    poles = [_magnitudes(robot, layout, sides, *one) for one in zip(Q, links, springs, strict=True)]
     fastest = max(float(np.max(poles)), *map(_empty_rate, robot.drives))
     return fastest if isfinite(fastest) else inf
 
@@ -148,11 +150,18 @@ def _springs(robot: RobotModel, Q: Array) -> Array:
     return -np.concatenate(pulled, axis=2)
 
 
-def _magnitudes(robot: RobotModel, layout: StateLayout, q: Array, links: Array, springs: Array) -> Array:
+def _magnitudes(
+    robot: RobotModel,
+    layout: StateLayout,
+    sides: Callable[[Array, Array], Array],
+    q: Array,
+    links: Array,
+    springs: Array,
+) -> Array:
     """Return the magnitudes of the poles at a configuration [1/s], all inf where an axis moves nothing."""
     n, size = robot.n, layout.integrated
     x, u = held_state(robot, q, Payload())
-    middle = plant_sides(robot, x, u)
+    middle = sides(x, u)
     mass = links + np.diag(middle[n : 2 * n])
     A = np.zeros((size, size))
     A[:n, n : 2 * n] = np.eye(n)
@@ -163,13 +172,13 @@ def _magnitudes(robot: RobotModel, layout: StateLayout, q: Array, links: Array, 
         at = [place for _, place in moved]
         step = np.zeros(size)
         step[at] = SMALL * np.maximum(1.0, np.abs(x[at]))
-        change = plant_sides(robot, x + step, u) - plant_sides(robot, x - step, u)
+        change = sides(x + step, u) - sides(x - step, u)
         for axis, place in moved:
             own = list(drives[axis])
             forces[axis, place] = change[axis] / (2.0 * step[place])
             A[own, place] = change[own] / (2.0 * step[place])
     forces[:, : 2 * n] += springs
-    _add_supplies(robot, layout, (x, u), A, forces)
+    _add_supplies(layout, sides, (x, u), A, forces)
     try:
         A[n : 2 * n] = np.linalg.solve(mass, forces)
         return np.asarray(np.abs(np.linalg.eigvals(A)))
@@ -178,28 +187,32 @@ def _magnitudes(robot: RobotModel, layout: StateLayout, q: Array, links: Array, 
 
 
 def _add_supplies(
-    robot: RobotModel, layout: StateLayout, rest: tuple[Array, Array], A: Array, forces: Array
+    layout: StateLayout,
+    sides: Callable[[Array, Array], Array],
+    rest: tuple[Array, Array],
+    A: Array,
+    forces: Array,
 ) -> None:
     """Enter how supplies with accumulators and the drives at them act on each other.
 
     Args:
-        robot: the arm.
-        layout: of its state.
+        layout: of the state of the arm.
+        sides: of its drives, from state and outputs of the amplifiers.
         rest: the integrated state and the outputs of the amplifiers about which it is linearised.
         A: rates of the state over the state, without them; written in place.
         forces: efforts at the axes over the state, the same.
     """
     supplies = list(range(layout.supplies.start, layout.supplies.stop))
-    states = [place for axis in range(robot.n) for place in layout.drive(axis)]
+    states = [place for axis in range(layout.n) for place in layout.drive(axis)]
     x, u = rest
     for place in (*states, *supplies) if supplies else ():
         step = np.zeros(len(x))
         step[place] = SMALL * max(1.0, abs(x[place]))
-        slopes = (plant_sides(robot, x + step, u) - plant_sides(robot, x - step, u)) / (2.0 * step[place])
+        slopes = (sides(x + step, u) - sides(x - step, u)) / (2.0 * step[place])
         A[supplies, place] = slopes[supplies]
         if place in supplies:
             A[states, place] = slopes[states]
-            forces[:, place] = slopes[: robot.n]
+            forces[:, place] = slopes[: layout.n]
 
 
 def _empty_rate(drive: Drive) -> float:

@@ -39,13 +39,13 @@ from ropsim.simulation.servo.checks import (
     check_reference,
     check_vector,
 )
-from ropsim.simulation.servo.diagnostics import DivergedError
+from ropsim.simulation.servo.diagnostics import BAD_OPTIONS, DivergedError, OptionError
 from ropsim.simulation.servo.divergence import diverged, first_fault, has_passed, is_sound, volume_at_rest
 from ropsim.simulation.servo.held_state import full_supplies, held_drives, remember_chains, sagging
 from ropsim.simulation.servo.plant_code import efforts, plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
 from ropsim.simulation.servo.recorder import Recorder
-from ropsim.simulation.servo.sensing import Sensors, is_timed, sensing_of, sensor_rows
+from ropsim.simulation.servo.sensing import Sensing, Sensors, is_timed, sensing_of, sensor_rows
 from ropsim.simulation.servo.slice_log import Log
 from ropsim.simulation.servo.source import NO_SENSORS, servo_functions
 from ropsim.simulation.servo.state import ServoState, StateLayout
@@ -128,6 +128,42 @@ class Servo:
         within = sensing if python_law is None else NO_SENSORS
         functions = servo_functions(structure_of(robot), inner, within, outside_rows)
         kernel = compiled_slice(robot, inner, functions, engine or default_engine(), own)
+        return cls._made(robot, controller, (inner, python_law), sensing, (layout, kernel))
+
+    def varied(self, robot: RobotModel, controller: ControllerModel, law: CompiledLaw) -> "Servo":
+        """Return the servo of the same structure with other numbers; no code is generated or compiled.
+
+        Args:
+            robot: arm that differs in numbers only.
+            controller: rates, and sensors of the same kinds.
+            law: that of this servo, with other parameters or another model of the arm.
+
+        Raises:
+            DriveDataError: a constant of a drive is impossible.
+            OptionError: S703, the arm or the law has another structure.
+            ModelNumberError: a number of the model is not finite.
+        """
+        check_drives(robot)
+        check_model(robot)
+        robot = without_linear_loops(robot)
+        is_same = law.source == self.law.source and law.traits == self.law.traits
+        if not is_same or structure_of(robot) != structure_of(self.robot):
+            message = f"arm `{robot.name}` or law `{law.name}` differs in more than numbers"
+            raise OptionError(BAD_OPTIONS.at(None, message, hint="build another servo for it"))
+        sensing = sensing_of(controller, law)
+        return self._made(robot, controller, (law, self.python_law), sensing, (self.layout, self.kernel))
+
+    @classmethod
+    def _made(
+        cls,
+        robot: RobotModel,
+        controller: ControllerModel,
+        laws: tuple[CompiledLaw, PythonLaw | None],
+        sensing: Sensing,
+        code: tuple[StateLayout, Compiled],
+    ) -> "Servo":
+        """Return a servo around code that is there."""
+        (inner, python_law), (layout, kernel) = laws, code
         steps = plant_steps_of(robot, controller.rates)
         rates = replace(controller.rates, plant_steps=steps)
         numbers = sensor_rows(controller, inner)

@@ -6,8 +6,9 @@ from pathlib import Path
 
 from ropsim.cellfile import controller_key_in_cell_file
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
-from ropsim.model import Cell, ControllerModel, LawFile, Station
+from ropsim.model import Cell, ControllerModel, LawFile, ProjectModule, Station
 from ropsim.userfiles import Trust, trust_in
+from ropsim.workbench.projects.imported_modules import imported_modules
 from ropsim.workbench.robots.robot_files import TextOf
 
 
@@ -51,6 +52,11 @@ def with_law_files(folder: Path, cell: Cell, cell_text: SourceText, text_of: Tex
                 is_trusted = file.is_code and trust_in(folder) is Trust.GIVEN
                 texts[file.path] = text
                 read = replace(file, text=text.text, is_trusted=is_trusted)
+                if file.is_code:
+                    imported, problems = imported_modules(file.path, text, text_of)
+                    texts |= imported
+                    modules = tuple(ProjectModule(path, one.text) for path, one in imported.items())
+                    read, found = replace(read, modules=modules), (*found, *problems)
                 stations[name] = _with_file(stations[name], keys, read)
                 found = (*found, *_findings(read, text, stations[name]))
             findings += [one if one.span is not None else replace(one, span=place) for one in found]

@@ -251,7 +251,14 @@ def test_a_damping_below_a_hundredth_of_the_rule_is_no_measured_friction() -> No
 
 
 def test_an_arm_with_drives_gets_the_torque_limits_that_it_lacks() -> None:
-    robot = robots.load("manutec_r3")
+    r3 = robots.load("manutec_r3")
+    without = replace(
+        r3,
+        joints=tuple(replace(one, max_effort=inf) for one in r3.joints),
+        drives=tuple(replace(one, amplifier=EffortAmplifier()) for one in r3.drives),
+        origins=tuple(one for one in r3.origins if one.parameters != "torque limits"),
+    )
+    robot = estimated(without)
     assert words(robot, "torque limits").kind is OriginKind.ESTIMATED
     np.testing.assert_allclose(robot.max_efforts, [1201, 1201, 554, 89.6, 89.6, 53.8], rtol=0.02)
     assert robot.drives[0].motor == IdealMotor(0.0013)
