@@ -195,6 +195,11 @@ export interface WayFacts {
   readonly required: number
   /** Bodies of these contacts that count without their hollows: meshes, rings and cups. */
   readonly filled: readonly string[]
+  /**
+   * Bodies so near that recorded rows do not tell whether they penetrate, in order of time; their distance is
+   * the depth that cannot be excluded.
+   */
+  readonly undecided: readonly Contact[]
 }
 
 /** Programs, stations and settings of a run. */

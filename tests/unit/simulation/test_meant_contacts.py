@@ -209,7 +209,7 @@ def test_each_of_two_stations_is_pushed_back_as_one_alone() -> None:
 
 
 def test_an_arm_that_is_lost_in_a_contact_keeps_what_was_recorded() -> None:
-    """The law puts out more than any number once the arm is pressed; the wrench has as many rows as the arm."""
+    """The law puts out more than any number once the arm is pressed; the wrench has the rows of the arm."""
     source = HELD.source.replace("par[2, k]", "par[2, k] + (1e301 if 0.001 < meas[0, 1] < 0.0099 else 0.0)")
     lost = replace(HELD, name="lost", source=source)
     recording = ran(pressed_cell(contact(STIFFNESS)), *DOWN, law=lost)
