@@ -11,7 +11,7 @@ class LinkElasticity:
     joint, and the torque between them is k·(h - q) + d·(ḣ - q̇). The hub has the inertia of its own, and that
     of the drive seen through its gear. A beam of length L that is clamped at the hub and bears a force at its
     tip yields there as a rigid one behind k = 3·E·I/L does; one that is twisted has k = G·J/L (S. P.
-    Timoshenko: Strength of Materials, part I, 3rd ed., Van Nostrand 1955, chapters 5 and 11).
+    Timoshenko: Strength of Materials, part I, deflection of beams, torsion).
 
     Attributes:
         stiffness: k at the joint [N·m/rad | N/m].
