@@ -1,4 +1,4 @@
-"""What a law knows of its arm: equations of motion, transmissions and the numbers of the drives, by name."""
+"""The model of an arm in a law: equations of motion, transmissions, numbers of the drives, by name."""
 
 import re
 from collections.abc import Sequence

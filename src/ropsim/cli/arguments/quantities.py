@@ -26,12 +26,12 @@ def quantity(text: str, what: str, units: Units) -> float:
     """Return a number in the first one of some units.
 
     Args:
-        text: as it was typed.
-        what: it is, such as `frequency`.
+        text: as typed.
+        what: its kind, such as `frequency`.
         units: that it may have.
 
     Raises:
-        ArgumentTypeError: it is no number, or has another unit.
+        ArgumentTypeError: no number, or another unit.
     """
     value, unit = _parts(text, what, units)
     found = value * (units[unit] if unit else 1.0)

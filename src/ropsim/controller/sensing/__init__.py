@@ -1,1 +1,1 @@
-"""Sensors of a cell: what they measure, and what they tell of it."""
+"""Sensors of a cell: measured quantities and readings."""

@@ -1,4 +1,4 @@
-"""What a sensor of a cell tells of what it measures: sampled, with noise, bounded, in steps, and late.
+"""The readings of a sensor of a cell: sampled, with noise, bounded, in steps, and late.
 
 Noise is a function of seed, channel and number of the sample, and no state: it depends neither on slices nor
 on how often a sensor is read. It is a hash of these whole numbers, twelve of which make one number that is
@@ -43,7 +43,7 @@ def noise(seed: int, channel: int, tick: int) -> float:
 
 @frozen_dataclass
 class Reading:
-    """What a sensor tells.
+    """A reading of a sensor.
 
     Attributes:
         value: in its SI unit.
@@ -57,10 +57,10 @@ class Reading:
 def read_sensor(channel: str, sensor: Sensor, cell: SensedCell) -> Reading:
     """Return the present reading of a sensor.
 
-    It is a function of the time alone: it does not depend on when it was asked for before.
+    It is a function of the time alone and does not depend on earlier readings.
 
     Args:
-        channel: name of its signal, which tells its noise from that of others.
+        channel: name of its signal, which makes its noise differ from that of others.
         sensor: with its errors.
         cell: at the time of the reading.
     """
