@@ -83,6 +83,9 @@ from ropsim.simulation.state.cell_run import CellRun as CellRun
 from ropsim.simulation.state.clasp import Clasp as Clasp
 from ropsim.simulation.state.inputs import usable_inputs as usable_inputs
 from ropsim.simulation.state.inputs import with_inputs as with_inputs
+from ropsim.simulation.state.past_values import PastValues as PastValues
+from ropsim.simulation.state.past_values import memory_of as memory_of
+from ropsim.simulation.state.past_values import memory_ticks as memory_ticks
 from ropsim.simulation.station.kinematic_plant import KinematicPlant as KinematicPlant
 from ropsim.simulation.station.sequences import MOST_AHEAD as MOST_AHEAD
 from ropsim.simulation.station.sequences import MOST_MOVES as MOST_MOVES
@@ -93,3 +96,7 @@ from ropsim.simulation.station.settle import SPEED_TIME as SPEED_TIME
 from ropsim.simulation.station.start import start_run as start_run
 from ropsim.simulation.waiting.setters import BOTH as BOTH
 from ropsim.simulation.waiting.setters import levels_set as levels_set
+from ropsim.simulation.ways.carrier_motion import CarrierSet as CarrierSet
+from ropsim.simulation.ways.carrier_motion import Motion as Motion
+from ropsim.simulation.ways.carrier_motion import bends_of as bends_of
+from ropsim.simulation.ways.carrier_motion import carriers_of as carriers_of

@@ -5,7 +5,7 @@ import pytest
 
 from ropsim import robots
 from ropsim.kinematics import damped_path, forward, inverse_path, jacobian
-from ropsim.kinematics.damped_path import MOST_DAMPING, NEAR
+from ropsim.kinematics.testing import MOST_DAMPING, NEAR
 from ropsim.spatial import Array, Pose
 
 ARM = robots.load("puma560")

@@ -8,7 +8,7 @@ import pytest
 
 import ropsim
 from ropsim.model import WORLD, body_tree
-from ropsim.simulation.ways.carrier_motion import CarrierSet, Motion, bends_of, carriers_of
+from ropsim.simulation.testing import CarrierSet, Motion, bends_of, carriers_of
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 RATE = 250.0

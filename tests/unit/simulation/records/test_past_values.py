@@ -2,7 +2,7 @@
 
 from ropsim import robots
 from ropsim.model import DistanceSensor, ForceTorqueSensor, SensorErrors, Signal, WrenchAxis
-from ropsim.simulation.state.past_values import PastValues, memory_of, memory_ticks
+from ropsim.simulation.testing import PastValues, memory_of, memory_ticks
 from support.cells import one_station
 
 
