@@ -18,6 +18,9 @@ ROUGH = 0.02
 """A distance is computed only where bodies travel less [m], or where balls in them are far apart."""
 FAR = 0.2
 """Balls that are this much farther apart than needed are far apart [m]."""
+MOST_LOOKS = 2e6
+"""Looks at a pair in a node, in a span; what is left then counts as undecided. It ends the search in ways of
+an arm that has run away: usual spans have a hundredth of it."""
 LEVELS = 80
 """Halvings; they end before for every motion below the speed of sound."""
 
@@ -113,7 +116,7 @@ def certify(convexes: Convexes, pairs: Array2, movement: Movement, search: Searc
     nodes, levels = search.nodes, search.levels
     tolerance = movement.span[2]
     nodes[0, 0], nodes[0, 1], nodes[0, 2] = movement.span[0], movement.span[1], 0.0
-    waiting, number = 1, 0.0
+    waiting, number, looks = 1, 0.0, 0.0
     while waiting > 0:
         waiting -= 1
         u, v, level = nodes[waiting, 0], nodes[waiting, 1], int(nodes[waiting, 2])
@@ -124,10 +127,11 @@ def certify(convexes: Convexes, pairs: Array2, movement: Movement, search: Searc
         out.totals[2] += 1.0
         number += 1.0
         _place_carriers(movement, search.carriers, u, v, m)
-        left = 0
+        left, looks = 0, looks + levels[level]
+        is_last = level + 2 >= search.active.shape[0] or looks > MOST_LOOKS
         for e in range(int(levels[level])):
             p = int(search.active[level, e])
-            if _is_open(convexes, pairs, search, out, (p, number, tolerance), (u, v, m, level)):
+            if _is_open(convexes, pairs, search, out, (p, number, tolerance), (u, v, m, is_last)):
                 search.active[level + 1, left] = p
                 left += 1
         if left > 0:
@@ -143,12 +147,12 @@ def _is_open(
     search: Search,
     out: Certified,
     of: tuple[int, float, float],
-    node: tuple[float, float, float, int],
+    node: tuple[float, float, float, bool],
 ) -> bool:
     """Return whether a pair is to be looked at in both halves of a node; note what is known of it."""
     items, placed, carriers = convexes.items, search.items, search.carriers
     p, number, tolerance = of
-    u, v, m, level = node
+    u, v, m, is_last = node
     a, b = int(pairs[p, 0]), int(pairs[p, 1])
     _place_item(items, carriers, placed, a, number)
     _place_item(items, carriers, placed, b, number)
@@ -157,7 +161,6 @@ def _is_open(
     needed = travel + limit
     if _box_gap(placed, a, b) > needed:
         return False
-    is_last = level + 2 >= search.active.shape[0]
     moves = _moves(carriers, items, a, b)
     if moves > ROUGH and not is_last:
         apart = 0.0

@@ -81,6 +81,25 @@ def test_bodies_that_rows_do_not_tell_apart_are_an_error_of_their_own() -> None:
     assert far.findings == ()
 
 
+def test_ways_of_an_arm_that_runs_away_are_undecided_soon() -> None:
+    """Steps of up to 1e11 m between two rows, to and fro: halving ends by its number of looks."""
+    x = np.cumsum((-1.0) ** np.arange(60) * 10.0 ** np.linspace(-3.0, 11.0, 60))
+    cell = crossed((Shape(Box((0.1, 0.1, 0.1))),) * 4, objects=(thin_wall(0.02),))
+    found = run_collisions(led(cell, {"across": x, "along": np.zeros(len(x))}), cell)
+    assert {one.code for one in found.findings} >= {"S751"}
+
+
+@pytest.mark.parametrize("rate", [10.0, 20.0])
+def test_short_moves_between_sparse_rows_are_not_passed_in_silence(rate: float) -> None:
+    """At rest 0.2 mm before a wall, as far as rows tell: joints may have gone there and back between two."""
+    cell = crossed((Shape(Box((0.1, 0.1, 0.1))),), objects=(thin_wall(0.02),))
+    x = np.full(30, 1.0 - 0.06 - 2e-4)
+    dense = led(cell, {"across": x, "along": np.zeros(len(x))})
+    sparse = replace(dense, time=np.arange(30) / rate)
+    assert {one.code for one in run_collisions(sparse, cell).findings} == {"S771"}
+    assert run_collisions(dense, cell).findings == ()
+
+
 @cache
 def bare_cell() -> Cell:
     """Return an arm with its tool, and nothing else."""

@@ -188,8 +188,8 @@ of these a body may leave the straight line by the square of the interval times 
 eight: 0.02 mm for 10 m/s² at 250 Hz, 0.5 mm at 50 Hz. The message names both bodies, the depth that cannot be
 excluded, and the line.
 
-**How to mend it.** Lead the arm farther from it or slower, or record more often by `--record-hz`, so that the
-check knows the motion better.
+**How to mend it.** Lead the arm farther from it, or slower. In Python, a run with a greater `record_hz` knows
+the motion better.
 """,
 )
 

@@ -20,6 +20,8 @@ ALLOWANCE = 1.5
 """Greatest acceleration between two rows over what their speeds show, where a recording does not have it."""
 UNKNOWN = 2.0
 """The same for bodies of closed chains and cylinders: their coordinates are known at the rows only."""
+DENSE = 5e-3
+"""Between rows farther apart [s] a joint may start and stop: its largest acceleration counts there."""
 _ROWS = 4096
 """Rows of a block."""
 
@@ -92,7 +94,15 @@ def joint_motion_of(tree: BodyTree, recording: Recording) -> Motion:
         name: recording.channels[facts.channel("q", name)].values.reshape(len(time), -1)
         for name in tree.mechanisms
     }
-    return Motion(time, Q, bends_of(time, Q))
+    bends = bends_of(time, Q)
+    if len(time) > 1 and time[1] - time[0] > DENSE:
+        least = (time[1] - time[0]) ** 2 / 8.0
+        limits = {name: one.max_accelerations for name, one in tree.mechanisms.items()}
+        bends = {
+            name: np.maximum(one, least * np.where(np.isfinite(limits[name]), limits[name], 0.0))
+            for name, one in bends.items()
+        }
+    return Motion(time, Q, bends)
 
 
 def bends_of(time: Array, Q: Mapping[str, Array]) -> Mapping[str, Array]:

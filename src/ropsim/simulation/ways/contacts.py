@@ -184,7 +184,7 @@ def _deepest(
     """
     most = [one.most.copy() for one in parts]
     best: tuple[PairRows, int, Nearness] | None = None
-    depth = allowed
+    depth = allowed - COARSE
     for _ in range(MOST):
         number = max(range(len(parts)), key=lambda k: (float(most[k].max()), -k))
         row = int(np.argmax(most[number]))
@@ -195,7 +195,7 @@ def _deepest(
         if -near.distance > depth:
             depth, best = -near.distance, (one, row, near)
         np.minimum(most[number], np.abs(one.moved - one.moved[row]) - near.distance, out=most[number])
-    return best
+    return best if depth > allowed else None
 
 
 def _nearest(

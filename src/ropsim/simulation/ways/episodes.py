@@ -17,6 +17,8 @@ STEP = 5e-5
 """Between two rows depths are computed at places so near to each other [m]."""
 MOST_STEPS = 400
 """Places between two rows at most."""
+MOST_PLACES = 20_000
+"""Places between rows of a pair at most; there are more only where an arm has run away."""
 
 
 @record
@@ -133,8 +135,10 @@ def _between(rows: PairRows, allowed: float) -> Array:
     most = (rows.most[:-1] + rows.most[1:] + way) / 2.0
     chosen = (np.diff(rows.rows) <= 1.0) & ~is_deep[:-1] & ~is_deep[1:] & (most > allowed)
     found = [np.empty(0)]
+    counts = np.clip(np.ceil(way / STEP), 2, MOST_STEPS) * chosen
+    counts = np.maximum(counts * min(1.0, MOST_PLACES / max(float(counts.sum()), 1.0)), 2.0)
     for k in np.flatnonzero(chosen).tolist():
-        count = int(np.clip(np.ceil(way[k] / STEP), 2, MOST_STEPS))
+        count = int(counts[k])
         found.append(rows.rows[k] + (rows.rows[k + 1] - rows.rows[k]) * np.arange(1, count) / count)
     return np.concatenate(found)
 

@@ -10,7 +10,7 @@ from ropsim.simulation.diagnostics.run_diagnostics import NOT_SEPARATED, PENETRA
 
 _FILLED = "`{}` counts without its hollows, if it has any: what is in one of them is free in truth"
 AROUND = "lead the arm around it by a point on the way, or move what is in the way"
-DENSER = "lead the arm farther from it, move slower, or record more often by `--record-hz`"
+DENSER = "lead the arm farther from it, or move slower there"
 FARTHER = "lead the arm farther from it, or require less by `clearance` in `[cell]`"
 
 

@@ -9,6 +9,7 @@ from ropsim.collision import COARSE, NO_MESHES, Collisions, MeshPoints, Nearness
 from ropsim.core import Diagnostic, frozen_dataclass
 from ropsim.flow import BodyPair, Clearance, Contact, Recording, WayFacts
 from ropsim.model import BodyKind, BodyTree, Cell
+from ropsim.simulation.servo.diagnostics import DIVERGED
 from ropsim.simulation.ways.approaches import Nearest, TrackPairs, nearest, pairs_on_tracks
 from ropsim.simulation.ways.carrier_motion import Motion, frames_of, joint_motion_of
 from ropsim.simulation.ways.contacts import contacts_of, line_of
@@ -50,10 +51,13 @@ def with_collisions(recording: Recording, found: RunCollisions) -> Recording:
 def needs_check(recording: Recording) -> bool:
     """Return whether a run may have collisions that have not been checked yet.
 
+    The ways of an arm that has run away (S701) are none of a machine; they are not checked.
+
     Args:
         recording: of the run.
     """
-    return COLLISIONS not in recording.facts.checked
+    is_lost = any(one.code == DIVERGED.code for one in recording.findings)
+    return COLLISIONS not in recording.facts.checked and not is_lost
 
 
 def run_collisions(
