@@ -55,11 +55,11 @@ def damped_path(robot: RobotModel, X_BT: Array, q_start: Array, X_MT: Pose) -> D
         if k:
             step = _difference(X_BT[k - 1], X)
             share = 1.0 - math.exp(-float(np.linalg.norm(step)) / CATCH_UP)
-            middle = q + 0.5 * _step(frame_and_jacobian(robot, q, X_MT)[1], step, 1.0)
-            q = q + _step(frame_and_jacobian(robot, middle, X_MT)[1], step, 1.0)
+            middle = q + 0.5 * damped_step(frame_and_jacobian(robot, q, X_MT)[1], step, 1.0)
+            q = q + damped_step(frame_and_jacobian(robot, middle, X_MT)[1], step, 1.0)
             for _ in range(2):
                 X_now, J = frame_and_jacobian(robot, q, X_MT)
-                q = q + _step(J, _difference(X_now, X), share)
+                q = q + damped_step(J, _difference(X_now, X), share)
         found[k] = q
         left = _difference(frame_and_jacobian(robot, q, X_MT)[0], X)
         distance = max(distance, float(np.linalg.norm(left[:3])))
@@ -67,8 +67,8 @@ def damped_path(robot: RobotModel, X_BT: Array, q_start: Array, X_MT: Pose) -> D
     return DampedPath(found, distance, turn)
 
 
-def _step(J: Array, dx: Array, share: float) -> Array:
-    """Return the step of the joints for one of the pose, shape (n,).
+def damped_step(J: Array, dx: Array, share: float) -> Array:
+    """Return the step of the joints for one of the pose, shape (n,); see `damped_path`.
 
     Args:
         J: Jacobian, shape (6, n).
