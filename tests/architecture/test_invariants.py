@@ -65,7 +65,11 @@ def test_the_base_frame_begins_in_two_places_and_is_shown_in_one() -> None:
         for node in nodes(tree, ast.Call)
         if isinstance(node.func, ast.Name) and node.func.id == "in_base"
     }
-    assert callers == {"workbench/compiling/environment.py", "planning/chain.py", "lsp/analysis/names.py"}
+    assert callers == {
+        "workbench/compiling/environment.py",
+        "planning/built_in/standard_chain.py",
+        "lsp/analysis/names.py",
+    }
 
 
 def test_nothing_below_the_readers_of_files_opens_or_prints() -> None:

@@ -11,7 +11,7 @@ from ropsim.spatial import Array, Pose, record
 NEAR = 0.05
 """Least singular value of the Jacobian [m, rad] below which its direction is damped."""
 MOST_DAMPING = 0.02
-"""Damping at a singular pose [m, rad]; a step of the pose moves no joint by more than 25 times as much."""
+"""Damping at a singular pose [m, rad]; a step of the pose moves no joint by more than 30 times as much."""
 CATCH_UP = 0.02
 """Way [m, rad] on which what damping has left behind is made good, by a factor of e."""
 
@@ -35,8 +35,8 @@ def damped_path(robot: RobotModel, X_BT: Array, q_start: Array, X_MT: Pose) -> D
     """Return joint coordinates along a path, each from the one before it by damped least squares.
 
     dq = Σ v·(u·dx)·σ/(σ² + λ²) over the singular values σ of the Jacobian, with λ² = λ0²·(1 - (σ/ε)²)² for
-    the least of them below ε and 0 for all others. Away from singular poses that is Newton's step, and the
-    poses are met; near one the direction that the arm loses is left behind, and made good gradually.
+    those below ε and 0 for all others. Away from singular poses that is Newton's step, and the poses are met;
+    near one what the arm lacks in a direction that it loses is left behind, and made good gradually.
 
     Args:
         robot: arm without external axes, of six axes or more.
@@ -55,11 +55,11 @@ def damped_path(robot: RobotModel, X_BT: Array, q_start: Array, X_MT: Pose) -> D
         if k:
             step = _difference(X_BT[k - 1], X)
             share = 1.0 - math.exp(-float(np.linalg.norm(step)) / CATCH_UP)
-            middle = q + 0.5 * _step(frame_and_jacobian(robot, q, X_MT)[1], step, 1.0)
-            q = q + _step(frame_and_jacobian(robot, middle, X_MT)[1], step, 1.0)
+            middle = q + 0.5 * damped_step(frame_and_jacobian(robot, q, X_MT)[1], step, 1.0)
+            q = q + damped_step(frame_and_jacobian(robot, middle, X_MT)[1], step, 1.0)
             for _ in range(2):
                 X_now, J = frame_and_jacobian(robot, q, X_MT)
-                q = q + _step(J, _difference(X_now, X), share)
+                q = q + damped_step(J, _difference(X_now, X), share)
         found[k] = q
         left = _difference(frame_and_jacobian(robot, q, X_MT)[0], X)
         distance = max(distance, float(np.linalg.norm(left[:3])))
@@ -67,22 +67,18 @@ def damped_path(robot: RobotModel, X_BT: Array, q_start: Array, X_MT: Pose) -> D
     return DampedPath(found, distance, turn)
 
 
-def _step(J: Array, dx: Array, share: float) -> Array:
-    """Return the step of the joints for one of the pose, shape (n,).
+def damped_step(J: Array, dx: Array, share: float) -> Array:
+    """Return the step of the joints for one of the pose, shape (n,); see `damped_path`.
 
     Args:
         J: Jacobian, shape (6, n).
         dx: step of the pose, linear and angular, shape (6,).
-        share: of the direction that is damped.
+        share: of the step in directions at a singular pose; the nearer to it, the more it counts.
     """
     u, sigma, v = np.linalg.svd(J, full_matrices=False)
-    along, least = u.T @ dx, float(sigma[-1])
-    gains = np.divide(1.0, sigma, out=np.zeros_like(sigma), where=sigma > NEAR)
-    gains[:-1] = np.where(sigma[:-1] > NEAR, gains[:-1], sigma[:-1] / (sigma[:-1] ** 2 + MOST_DAMPING**2))
-    if least < NEAR:
-        weight = (1.0 - (least / NEAR) ** 2) ** 2
-        gains[-1] = least / (least**2 + MOST_DAMPING**2 * weight) * (1.0 - weight * (1.0 - share))
-    return np.asarray(v.T @ (gains * along))
+    weights = (1.0 - np.minimum(sigma / NEAR, 1.0) ** 2) ** 2
+    gains = sigma / (sigma**2 + MOST_DAMPING**2 * weights) * (1.0 - weights * (1.0 - share))
+    return np.asarray(v.T @ (gains * (u.T @ dx)))
 
 
 def _difference(X_from: Array, X_to: Array) -> Array:

@@ -130,9 +130,8 @@ from ropsim.model.drives.supply import HydraulicSupply as HydraulicSupply
 from ropsim.model.drives.thermal_motor import COPPER as COPPER
 from ropsim.model.drives.thermal_motor import GuardedAmplifier as GuardedAmplifier
 from ropsim.model.drives.thermal_motor import ThermalDcMotor as ThermalDcMotor
-from ropsim.model.entities import BUILT_IN as BUILT_IN
-from ropsim.model.entities import BuiltIn as BuiltIn
 from ropsim.model.entities import Entity as Entity
+from ropsim.model.entities import NamedEntity as NamedEntity
 from ropsim.model.entities import OwnEntity as OwnEntity
 from ropsim.model.findings.diagnostics import ESTIMATED_PARAMETERS as ESTIMATED_PARAMETERS
 from ropsim.model.findings.diagnostics import INDEFINITE_INERTIA as INDEFINITE_INERTIA

@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from ropsim.core import frozen_dataclass
 from ropsim.flow import ParameterOrigin
-from ropsim.model.entities import BuiltIn, OwnEntity
+from ropsim.model.entities import NamedEntity, OwnEntity
 from ropsim.model.findings.number_range import COORDINATE, EXTENT, RATE, TIME, Ranges, between, whole
 from ropsim.model.joint_sensors import JointSensors
 from ropsim.model.law_file import LawFile
@@ -355,7 +355,7 @@ class ControllerModel:
     correction: CorrectionLimits = CorrectionLimits()
     sensors: JointSensors = JointSensors()
     entities: tuple[OwnEntity, ...] = ()
-    built_in: tuple[BuiltIn, ...] = ()
+    built_in: tuple[NamedEntity, ...] = ()
     origins: tuple[ParameterOrigin, ...] = ()
 
     def __post_init__(self) -> None:

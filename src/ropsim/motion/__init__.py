@@ -153,10 +153,9 @@ from ropsim.motion.time_law.synchronised import SynchronisedJoints as Synchronis
 from ropsim.motion.time_law.synchronised_kernel import joint_rows as joint_rows
 from ropsim.motion.time_law.synchronised_kernel import joints_in_time as joints_in_time
 from ropsim.motion.time_law.synchronised_kernel import plan_together as plan_together
+from ropsim.motion.time_law.table import ACCELERATION_RISES as ACCELERATION_RISES
 from ropsim.motion.time_law.table import JERK_LIMITED as JERK_LIMITED
 from ropsim.motion.time_law.table import TIME_LAWS as TIME_LAWS
-from ropsim.motion.time_law.table import TRAPEZOIDAL as TRAPEZOIDAL
-from ropsim.motion.time_law.trapezoidal import ACCELERATION_RISE as ACCELERATION_RISE
 from ropsim.motion.zone_diagnostics import BEYOND_LIMITS as BEYOND_LIMITS
 from ropsim.motion.zone_diagnostics import LINES_AS_CURVE as LINES_AS_CURVE
 from ropsim.motion.zone_diagnostics import SINGULARITY_HINTS as SINGULARITY_HINTS

@@ -2,9 +2,14 @@
 
 from ropsim.planning.achieved.zones import NEXT_IS_SKIPPED as NEXT_IS_SKIPPED
 from ropsim.planning.achieved.zones import stopped_by as stopped_by
-from ropsim.planning.chain import plan_move as plan_move
-from ropsim.planning.chain import standard_chain as standard_chain
-from ropsim.planning.chain import work_frames as work_frames
+from ropsim.planning.built_in.damped_inverse import DampedInverseTransform as DampedInverseTransform
+from ropsim.planning.built_in.integral_corrector import (
+    ProportionalIntegralCorrector as ProportionalIntegralCorrector,
+)
+from ropsim.planning.built_in.standard_chain import plan_move as plan_move
+from ropsim.planning.built_in.standard_chain import standard_chain as standard_chain
+from ropsim.planning.built_in.standard_chain import work_frames as work_frames
+from ropsim.planning.built_in.table import BUILT_IN as BUILT_IN
 from ropsim.planning.entity_checks.entity_faults import ENTITY_FAILS as ENTITY_FAILS
 from ropsim.planning.entity_checks.entity_faults import entity_fails as entity_fails
 from ropsim.planning.entity_checks.entity_faults import guarded as guarded
@@ -23,8 +28,8 @@ from ropsim.planning.moves.path_planner import StandardPathPlanner as StandardPa
 from ropsim.planning.planning import ordered as ordered
 from ropsim.planning.planning import plan as plan
 from ropsim.planning.planning import timed as timed
-from ropsim.planning.postures.damped_inverse import DampedInverseTransform as DampedInverseTransform
 from ropsim.planning.records.coordination import Coordination as Coordination
+from ropsim.planning.records.entities import FineInterpolation as FineInterpolation
 from ropsim.planning.records.entities import Interpolator as Interpolator
 from ropsim.planning.records.entities import InverseTransform as InverseTransform
 from ropsim.planning.records.entities import JointInterpolator as JointInterpolator
@@ -39,9 +44,6 @@ from ropsim.planning.records.motion_plan import MotionSequence as MotionSequence
 from ropsim.planning.records.motion_plan import MotionState as MotionState
 from ropsim.planning.records.motion_plan import TimedMove as TimedMove
 from ropsim.planning.records.moving_frames import MovingFrame as MovingFrame
-from ropsim.planning.records.path_corrector import (
-    ProportionalIntegralCorrector as ProportionalIntegralCorrector,
-)
 from ropsim.planning.records.path_corrector import StandardPathCorrector as StandardPathCorrector
 from ropsim.planning.records.planned_path import MoveLimits as MoveLimits
 from ropsim.planning.records.planned_path import PlannedPath as PlannedPath

@@ -11,7 +11,6 @@ from ropsim.planning.moves.planned_move import PlannedMove
 from ropsim.planning.records.motion_chain import MotionChain
 from ropsim.planning.records.motion_plan import MotionPlan, TimedMove, TimedSegment
 from ropsim.planning.records.trigger_ticks import AchievedPath, PlannedTrigger, trigger_ticks
-from ropsim.planning.trajectory.between_ticks import between_ticks
 from ropsim.planning.trajectory.segments import PathSegment
 from ropsim.planning.trajectory.timing import Timing
 from ropsim.planning.trajectory.timing_kernel import ticks_come
@@ -68,7 +67,7 @@ def in_ticks(
         np.empty((len(timing.path_segment_ends) + len(timing.sections), 2)),
         np.empty(len(planned_moves) - 1),
     )
-    reference = between_ticks(reference, retimed.rows.q[0], chain.controller)
+    reference = chain.fine(reference, retimed.rows.q[0], chain.controller.rates)
     times = timing.table, timing.path_segment_ends, np.array(timing.ends[:-1]), phi, _SLACK * period
     ticks_come(*times, at[: len(timing.path_segment_ends)], at[len(timing.path_segment_ends) :], ends)
     lasts = [0, *map(int, ends.tolist()), reference.ticks]

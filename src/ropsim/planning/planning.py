@@ -6,7 +6,7 @@ from itertools import pairwise
 
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveInstruction, ReachedSpeed
-from ropsim.model import BuiltIn, Payload, RobotModel
+from ropsim.model import Payload, RobotModel
 from ropsim.motion import TIME_LAWS, Infeasible, JointBounds, RetimedTrajectory, Ticks, own_law_of
 from ropsim.planning.achieved.helpful_limits import AchievedMotion
 from ropsim.planning.achieved.lines_as_curves import lines_as_curves
@@ -162,8 +162,6 @@ def _quickest(
     chain: MotionChain, moves: list[PlannedMove], state: MotionState, payload: Payload
 ) -> MotionPlan | _Motion | _Hurdle:
     """Return the motion through moves, with chains of short lines as curves where these are quicker."""
-    if BuiltIn.EXACT_STOPS in chain.controller.built_in:
-        return _planned(chain, moves, state, payload)
     curved = with_curves(chain, moves)
     if not any(move.on_curve for move in curved):
         return _planned(chain, moves, state, payload)
@@ -334,14 +332,18 @@ def _time_alone(move: PlannedMove) -> float:
 def _blends(chain: MotionChain, moves: list[PlannedMove], findings: list[Diagnostic]) -> list[Blend | None]:
     """Return the rounded blends between moves, None where the arm stops or where nothing moves.
 
+    Nothing is told of the stop at the end of a path that says itself that the arm stops there.
+
     Where the arm is at the target of a move already, that is told only if it flows there: not where it stands
     before the first move, nor behind a move that is told to have the same target.
     """
-    if BuiltIn.EXACT_STOPS in chain.controller.built_in:
-        return [None] * (len(moves) - 1)
     blends: list[Blend | None] = []
     stands = True
     for before, behind in pairwise(moves):
+        if before.planned.stops:
+            stands = True
+            blends.append(None)
+            continue
         found = blend_at(chain, before, behind)
         if isinstance(found, Stop):
             if not (stands and found is Stop.NO_WAY_TO):

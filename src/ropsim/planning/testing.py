@@ -12,6 +12,8 @@ from ropsim.planning.blends.move_curves import may_be_slower as may_be_slower
 from ropsim.planning.blends.move_curves import with_curves as with_curves
 from ropsim.planning.blends.short_line_chains import chains_of as chains_of
 from ropsim.planning.blends.zone_search import tcp_path_of as tcp_path_of
+from ropsim.planning.built_in.fine_interpolation import cubics as cubics
+from ropsim.planning.built_in.fine_interpolation import lines as lines
 from ropsim.planning.entity_checks.path_derivatives import wrong_joint_derivatives as wrong_joint_derivatives
 from ropsim.planning.entity_checks.path_derivatives import wrong_tool_derivatives as wrong_tool_derivatives
 from ropsim.planning.entity_checks.path_faults import faults_of_tool_path as faults_of_tool_path

@@ -9,7 +9,7 @@ import pytest
 
 from ropsim.cellfile import read_cell
 from ropsim.core import SourceText
-from ropsim.model import BuiltIn, Entity
+from ropsim.model import Entity, NamedEntity
 
 MANUAL = (Path(__file__).parents[3] / "docs" / "reference" / "cell-file.md").read_text("utf-8")
 EXAMPLES = re.findall(r"```toml\n(.*?)```", MANUAL, flags=re.DOTALL)
@@ -45,7 +45,10 @@ def test_the_examples_show_what_they_are_about() -> None:
     assert pressure.step.tolist() == [25e6 / 2.0**12] * 2
     assert (pressure.delay, pressure.noise.tolist()) == (1e-3, [1e4, 1e4])
     assert chosen is not None
-    assert chosen.first.controller.built_in == (BuiltIn.TRAPEZOIDAL, BuiltIn.LINEAR)
+    assert chosen.first.controller.built_in == (
+        NamedEntity(Entity.INTERPOLATOR, "trapezoidal"),
+        NamedEntity(Entity.JOINT_INTERPOLATOR, "linear"),
+    )
     assert own is not None
     (entity,) = own.first.controller.entities
     assert (entity.entity, entity.file.path) == (Entity.PATH_PLANNER, "controllers/reduced.py")

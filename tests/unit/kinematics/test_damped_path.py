@@ -5,7 +5,7 @@ import pytest
 
 from ropsim import robots
 from ropsim.kinematics import damped_path, forward, inverse_path, jacobian
-from ropsim.kinematics.testing import MOST_DAMPING, NEAR
+from ropsim.kinematics.testing import MOST_DAMPING, NEAR, damped_step
 from ropsim.spatial import Array, Pose
 
 ARM = robots.load("puma560")
@@ -51,7 +51,7 @@ def test_past_a_singular_wrist_the_joints_hardly_move_and_the_tool_stays_near(q5
 
 
 def test_no_step_of_the_pose_moves_the_joints_further_than_the_damping_allows() -> None:
-    """σ/(σ² + λ²) ≤ 1/(2·λ): at a singular pose 25 times the step, which has no bound without."""
+    """σ/(σ² + λ²) ≤ 1/(2·λ): at a singular pose 25 times the step, which has no bound without damping."""
     q = np.array([0.1, 0.9, -2.4, 0.3, 1e-7, 0.2])
     X, step = forward(ARM, q).matrix(), 1e-4
     lost = np.linalg.svd(jacobian(ARM, q))[0][:, -1]
@@ -61,3 +61,19 @@ def test_no_step_of_the_pose_moves_the_joints_further_than_the_damping_allows() 
     most = max(0.5 / MOST_DAMPING, 1.0 / NEAR)
     assert np.linalg.norm(found.q[1] - q) < 3.0 * most * step
     assert np.linalg.norm(np.linalg.pinv(jacobian(ARM, q), rcond=1e-15) @ lost) > 1e5
+
+
+def test_each_direction_near_a_singular_pose_is_damped_by_its_own_distance() -> None:
+    """Two of the directions are near one; the others have Newton's step."""
+    sigma = np.array([1.0, 0.8, 0.3, 0.06, 0.03, 0.01])
+    damping = MOST_DAMPING * (1.0 - (sigma / NEAR) ** 2) * (sigma < NEAR)
+    found = damped_step(np.diag(sigma), np.ones(6), 1.0)
+    np.testing.assert_allclose(found, sigma / (sigma**2 + damping**2), rtol=EXACT)
+
+
+def test_no_gain_exceeds_thirty_and_none_jumps_where_damping_begins() -> None:
+    """Joints turn by at most 30 times the step of the pose, the number that `MOST_DAMPING` says."""
+    sigma = np.linspace(1e-6, 1.2 * NEAR, 2001)
+    gains = np.array([damped_step(np.diag((*np.ones(5), one)), np.ones(6), 1.0)[-1] for one in sigma])
+    assert 29.0 < gains.max() < 30.0
+    assert np.abs(np.diff(gains)).max() < 0.1

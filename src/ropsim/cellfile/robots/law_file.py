@@ -6,19 +6,19 @@ from pathlib import PurePosixPath
 from ropsim.cellfile.diagnostics import LAW_FILE
 from ropsim.core import LeadsOutError, check_stated, outside_project
 from ropsim.model import (
-    BUILT_IN,
     DIAGRAM_ENDINGS,
     MODULE_ENDING,
-    BuiltIn,
     ControllerKind,
     ControllerModel,
     Entity,
     LawFile,
+    NamedEntity,
     OriginKind,
     OwnEntity,
     ParameterOrigin,
     gain_names,
 )
+from ropsim.planning import BUILT_IN
 from ropsim.tomltext import CONFLICTING_KEYS, Question, Sort, TomlTable
 
 ENDINGS = (*DIAGRAM_ENDINGS, MODULE_ENDING)
@@ -51,17 +51,17 @@ def with_law_file(table: TomlTable, controller: ControllerModel) -> ControllerMo
     return replace(controller, kind=ControllerKind.FILE, gains=LawFile(path), origins=(origin, *others))
 
 
-def read_entities(table: TomlTable) -> tuple[tuple[OwnEntity, ...], tuple[BuiltIn, ...]]:
+def read_entities(table: TomlTable) -> tuple[tuple[OwnEntity, ...], tuple[NamedEntity, ...]]:
     """Return the entities of a controller that modules of the project make, and the built-in ones by name.
 
     Args:
         table: `[controller.entities]`, or a stand-in.
     """
-    own, chosen = list[OwnEntity](), list[BuiltIn]()
+    own, chosen = list[OwnEntity](), list[NamedEntity]()
     for entity in Entity:
-        words = tuple(one.value for one in BUILT_IN[entity])
+        words = tuple(BUILT_IN[entity])
         if table.values.get(entity.value) in words:
-            chosen.append(BuiltIn(table.text(entity.value, "")))
+            chosen.append(NamedEntity(entity, table.text(entity.value, "")))
         elif entity.value in table:
             path = _path(table, entity.value, (MODULE_ENDING,), words)
             own += [OwnEntity(entity, LawFile(path))] if path else []

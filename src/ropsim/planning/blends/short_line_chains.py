@@ -21,8 +21,8 @@ def chains_of(chain: MotionChain, moves: Sequence[PlannedMove]) -> list[MoveRang
     """Return which moves one after the other may be flown as curves.
 
     They are lines of one tool with the same limits, on which neither external axes move nor a sensor acts,
-    and all but the last have a zone. At least one of them is so short that the tool cannot speed up and slow
-    down on it.
+    all but the last have a zone, and none of these has to stop at its end. At least one of them is so short
+    that the tool cannot speed up and slow down on it.
 
     Args:
         chain: the entities.
@@ -74,6 +74,7 @@ def _go_on(chain: MotionChain, before: PlannedMove, behind: PlannedMove) -> bool
         and (one.limits is other.limits or one.limits == other.limits)
         and one.X_MT == other.X_MT
         and one.counts is other.counts
+        and not one.stops
         and commanded_zone(chain, before.move) >= LEAST_ZONE
     )
 

@@ -45,7 +45,12 @@ def unusable_plan(
 
 def _wrong_parts(planned: PlannedPath) -> str:
     """Return which part is of another kind than it must be; nothing where all are right."""
-    kinds = (("limits", (MoveLimits,)), ("X_MT", (Pose,)), ("coordination", (Coordination, type(None))))
+    kinds = (
+        ("limits", (MoveLimits,)),
+        ("X_MT", (Pose,)),
+        ("coordination", (Coordination, type(None))),
+        ("stops", (bool, np.bool_)),
+    )
     for name, kind in kinds:
         part = getattr(planned, name)
         if not isinstance(part, kind):

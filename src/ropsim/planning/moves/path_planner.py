@@ -72,6 +72,7 @@ class StandardPathPlanner:
         moving: task frames that the external axes of the robot move, by name.
         others: names of the stations that move other task frames, by the name of the frame.
         kinds: tool paths that it makes, by the word of the instruction.
+        stops: whether each path ends in a stop, even where a zone is in force.
     """
 
     robot: RobotModel
@@ -83,6 +84,7 @@ class StandardPathPlanner:
     moving: Mapping[str, MovingFrame] = field(default_factory=dict)
     others: Mapping[str, str] = field(default_factory=dict)
     kinds: Mapping[str, ToolPathMaker] = field(default_factory=lambda: TOOL_PATHS)
+    stops: bool = False
     _range: JointRange = field(init=False, repr=False)
     _limits: JointMotionLimits = field(init=False, repr=False)
     _work: WorkFrames = field(init=False, repr=False)
@@ -106,6 +108,10 @@ class StandardPathPlanner:
             move: the instruction with its modal state.
             q_start: command joint coordinates at the end of the move before [rad | m], shape (n,).
         """
+        found = self._planned(move, q_start)
+        return replace(found, stops=True) if self.stops and isinstance(found, PlannedPath) else found
+
+    def _planned(self, move: MoveInstruction, q_start: Array) -> PlannedPath | Refusal:
         so_far = self._context(move)
         if isinstance(so_far, Refusal):
             return so_far

@@ -7,10 +7,12 @@ between interpolator and inverse transform, while it is made. The joint controll
 servo slice: see `ropsim.controller.law`.
 """
 
+from collections.abc import Callable
 from typing import Protocol
 
 from ropsim.core import Diagnostic, frozen_dataclass
-from ropsim.flow import JointSamples, MoveInstruction, PathTracking, PoseSetpoints
+from ropsim.flow import JointReference, JointSamples, MoveInstruction, PathTracking, PoseSetpoints
+from ropsim.model import Rates
 from ropsim.motion import JointPath, ToolPath
 from ropsim.planning.records.planned_path import PlannedPath
 from ropsim.planning.records.sensed_cell import SensedCell
@@ -66,6 +68,20 @@ class JointInterpolator(Protocol):
     def refine(self, samples: JointSamples) -> JointPath:
         """Return a path of the samples' length that goes through them, with continuous derivatives."""
         ...
+
+
+FineInterpolation = Callable[[JointReference, Array, Rates], JointReference]
+"""What the joint interpolator makes of the trajectory of a motion that begins and ends at rest.
+
+Given are its references at the control ticks 1, 2, …, the joint coordinates at its start [rad | m], of shape
+(n,), and the rates; the result has as many ticks and the same end.
+"""
+
+
+def every_tick(reference: JointReference, q_start: Array, rates: Rates) -> JointReference:
+    """Return the trajectory itself at each control tick: the standard fine interpolation."""
+    del q_start, rates
+    return reference
 
 
 @frozen_dataclass

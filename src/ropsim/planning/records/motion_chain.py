@@ -6,11 +6,13 @@ from ropsim.flow import ModalState
 from ropsim.model import ControllerModel, RobotModel
 from ropsim.motion import JERK_LIMITED
 from ropsim.planning.records.entities import (
+    FineInterpolation,
     Interpolator,
     InverseTransform,
     JointInterpolator,
     PathCorrector,
     PathPlanner,
+    every_tick,
 )
 from ropsim.planning.records.path_corrector import StandardPathCorrector
 from ropsim.planning.records.work_frames import WorkFrames
@@ -31,6 +33,7 @@ class MotionChain:
         corrector: shifts paths by sensor readings during execution.
         work: tools and task frames of the cell.
         time_law: name of the law by which paths are timed, see `motion.TIME_LAWS`.
+        fine: references of the joints at control ticks from those of the trajectory.
     """
 
     planner: PathPlanner
@@ -42,6 +45,7 @@ class MotionChain:
     corrector: PathCorrector = field(default_factory=StandardPathCorrector)
     work: WorkFrames = field(default_factory=WorkFrames)
     time_law: str = JERK_LIMITED
+    fine: FineInterpolation = every_tick
 
     def tool_pose(self, modal: ModalState) -> Pose:
         """Return X_MT of the tool in force; of the mechanical interface itself where the tool is unknown."""

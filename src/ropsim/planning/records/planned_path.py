@@ -48,6 +48,7 @@ class PlannedPath:
         findings: findings of the planner about it.
         coordination: external axes that go along with a path of the tool; None where they stand.
         counts: what of the poses on the path of the tool counts.
+        stops: whether the arm stops at its end, even where a zone is in force.
     """
 
     joints: JointPath | None
@@ -57,6 +58,7 @@ class PlannedPath:
     findings: tuple[Diagnostic, ...] = ()
     coordination: Coordination | None = None
     counts: Counts = Counts.POSE
+    stops: bool = False
 
     @property
     def least_time(self) -> float:

@@ -78,9 +78,10 @@ def varied_law(law: CompiledLaw, variation: Variation) -> CompiledLaw:
     for name, factor in variation.gains.items():
         _check_factor(name, factor)
         if name not in law.parameter_names:
-            known = ", ".join(f"`{one}`" for one in law.parameter_names[:12])
+            known = ", ".join(f"`{one}`" for one in law.parameter_names[:12]) or "none"
+            more = ", …" if len(law.parameter_names) > 12 else ""
             message = f"law `{law.name}` has no parameter `{name}`"
-            raise OptionError(BAD_OPTIONS.at(None, message, hint=f"it has {known}"))
+            raise OptionError(BAD_OPTIONS.at(None, message, hint=f"it has {known}{more}"))
         parameters[law.parameter_names.index(name)] *= factor
     return replace(law, parameters=parameters)
 

@@ -56,6 +56,7 @@ def part(**changes: object) -> Callable[[PlannedPath], PlannedPath]:
         (limits("tool", "speed", float("nan")), "returned nan in `limits.tool.speed`"),
         (limits("tool", "orientation_jerk", -1.0), "returned -1 in `limits.tool.orientation_jerk`"),
         (limits("tool", "speed", "x"), "returned a `str` in `limits.tool.speed`"),
+        (part(stops="no"), "returned a `str` as `stops`"),
         (part(X_MT=None), "returned a `NoneType` as `X_MT`"),
         (part(X_MT=Pose(np.array([np.nan, 0.0, 0.0]))), "`X_MT` with numbers that are not finite"),
         (part(limits=None), "returned a `NoneType` as `limits`"),

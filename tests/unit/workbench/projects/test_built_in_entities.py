@@ -7,7 +7,8 @@ import pytest
 
 from ropsim.flow import MoveEvent, Recording
 from ropsim.kinematics import forward, inverse_path
-from ropsim.model import BUILT_IN, Entity
+from ropsim.model import Entity
+from ropsim.planning import BUILT_IN
 from ropsim.robots import load
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.workbench import open_project
@@ -48,7 +49,7 @@ def moves(recording: Recording) -> list[MoveEvent]:
 
 
 def test_the_standard_ones_by_name_are_those_without_a_name(tmp_path: Path) -> None:
-    names = "".join(f'{one.value} = "{BUILT_IN[one][0]}"\n' for one in Entity if BUILT_IN[one])
+    names = "".join(f'{one.value} = "{next(iter(BUILT_IN[one]))}"\n' for one in Entity if BUILT_IN[one])
     named, usual = run(tmp_path / "named", names), run(tmp_path / "usual", "")
     for name, channel in usual.channels.items():
         np.testing.assert_array_equal(named.channels[name].values, channel.values)

@@ -1,21 +1,18 @@
 """The built-in entities of a station, and the plan of one move."""
 
-from dataclasses import replace
-
 from ropsim.flow import MoveInstruction
-from ropsim.model import BuiltIn, Cell, RobotModel, Station, in_base, still_frames
-from ropsim.motion import ACCELERATION_RISE, JERK_LIMITED, TRAPEZOIDAL
+from ropsim.model import Cell, Station, in_base, still_frames
+from ropsim.planning.built_in.table import BUILT_IN
 from ropsim.planning.moves.interpolator import StandardInterpolator
 from ropsim.planning.moves.inverse_transform import StandardInverseTransform
 from ropsim.planning.moves.joint_interpolator import StandardJointInterpolator
 from ropsim.planning.moves.path_planner import StandardPathPlanner
 from ropsim.planning.planning import plan
-from ropsim.planning.postures.damped_inverse import DampedInverseTransform
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.motion_chain import MotionChain
 from ropsim.planning.records.motion_plan import MotionPlan, MotionState
 from ropsim.planning.records.moving_frames import frames_of_others, moving_frames
-from ropsim.planning.records.path_corrector import ProportionalIntegralCorrector, StandardPathCorrector
+from ropsim.planning.records.path_corrector import StandardPathCorrector
 from ropsim.planning.records.work_frames import WorkFrames
 from ropsim.spatial import Array
 
@@ -23,41 +20,31 @@ from ropsim.spatial import Array
 def standard_chain(cell: Cell, station: Station) -> MotionChain:
     """Return the built-in entities for the robot, tools, frames and controller of a station.
 
-    Those that the controller names take the place of the standard ones.
+    Those that the controller names take the place of the standard ones, see `BUILT_IN`.
+
+    Raises:
+        KeyError: the controller names an entity that is not in that table; a cell file cannot.
     """
-    tools, tool, controller = station.tools, station.default_tool, station.controller
-    chosen = controller.built_in
-    robot = _with_steps_of_acceleration(station.robot) if BuiltIn.TRAPEZOIDAL in chosen else station.robot
+    robot, tools, tool, controller = station.robot, station.tools, station.default_tool, station.controller
     work = work_frames(cell, station)
-    inverse = StandardInverseTransform(robot, tools, tool)
-    limits, period = controller.correction, controller.rates.interpolation_period
-    is_integral = BuiltIn.PROPORTIONAL_INTEGRAL in chosen
-    return MotionChain(
-        StandardPathPlanner(
-            robot,
-            controller,
-            tools,
-            work.frames,
-            tool,
-            robot.home,
-            moving=work.moving,
-            others=work.others,
-        ),
+    planner = StandardPathPlanner(
+        robot, controller, tools, work.frames, tool, robot.home, moving=work.moving, others=work.others
+    )
+    chain = MotionChain(
+        planner,
         StandardInterpolator(),
-        DampedInverseTransform(inverse) if BuiltIn.DAMPED_LEAST_SQUARES in chosen else inverse,
+        StandardInverseTransform(robot, tools, tool),
         StandardJointInterpolator(),
         robot,
         controller,
-        ProportionalIntegralCorrector(limits, period) if is_integral else StandardPathCorrector(limits),
+        StandardPathCorrector(controller.correction),
         work,
-        TRAPEZOIDAL if BuiltIn.TRAPEZOIDAL in chosen else JERK_LIMITED,
     )
-
-
-def _with_steps_of_acceleration(robot: RobotModel) -> RobotModel:
-    """Return an arm whose joints come to their accelerations within 10 µs, as the trapezoidal law has it."""
-    joints = tuple(replace(one, max_jerk=one.max_acceleration / ACCELERATION_RISE) for one in robot.joints)
-    return replace(robot, joints=joints)
+    chosen = {one.entity: one.name for one in controller.built_in}
+    for entity, choices in BUILT_IN.items():
+        if entity in chosen:
+            chain = choices[chosen[entity]](chain)
+    return chain
 
 
 def work_frames(cell: Cell, station: Station) -> WorkFrames:

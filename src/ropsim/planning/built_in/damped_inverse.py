@@ -1,5 +1,7 @@
 """The inverse transform by damped least squares: it passes close to singular poses without a turn-about."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from ropsim.core import Diagnostic
@@ -9,6 +11,7 @@ from ropsim.planning.moves.inverse_transform import StandardInverseTransform
 from ropsim.planning.moves.line_check import end_findings
 from ropsim.planning.records.entities import Refusal
 from ropsim.planning.records.free_orientation import counted_of
+from ropsim.planning.records.motion_chain import MotionChain
 from ropsim.planning.records.planned_path import Counts
 from ropsim.planning.records.posture_choice import JointRange
 from ropsim.spatial import Array, record
@@ -63,3 +66,14 @@ class DampedInverseTransform:
         ):
             return self.exact.solve(setpoints, q_start, move)
         return JointSamples(setpoints.length, found.q, end_findings(move, found.q[-1]))
+
+
+def damped_least_squares(chain: MotionChain) -> MotionChain:
+    """Return a chain with this inverse transform.
+
+    Args:
+        chain: with the standard inverse transform.
+    """
+    exact = chain.inverse
+    assert isinstance(exact, StandardInverseTransform)
+    return replace(chain, inverse=DampedInverseTransform(exact))

@@ -1,23 +1,17 @@
 """Coarse and fine interpolation: how far lines and cubics between interpolation ticks are off."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
-from ropsim import robots
 from ropsim.flow import JointReference
-from ropsim.model import BuiltIn, ControllerModel, Rates
-from ropsim.planning.trajectory.between_ticks import between_ticks
+from ropsim.model import Rates
+from ropsim.planning import FineInterpolation
+from ropsim.planning.testing import cubics, lines
 
 EVERY, TICKS, PERIOD = 8, 1001, 1e-3  # the last interpolation period is a short one
 END = TICKS * PERIOD
 OMEGA = np.pi / END
-
-
-def controller(*built_in: BuiltIn) -> ControllerModel:
-    usual = robots.default_controller("puma560")
-    return replace(usual, rates=Rates(1000, EVERY), built_in=built_in)
+RATES = Rates(1000, EVERY)
 
 
 def motion() -> JointReference:
@@ -33,27 +27,27 @@ def motion() -> JointReference:
 MOTION, START = motion(), np.zeros(2)
 
 
-def test_without_a_choice_each_tick_is_of_the_trajectory() -> None:
-    assert between_ticks(MOTION, START, controller()) is MOTION
-    assert between_ticks(MOTION, START, controller(BuiltIn.EVERY_TICK)) is MOTION
+@pytest.mark.parametrize("kind", [lines, cubics])
+def test_where_each_tick_is_one_of_interpolation_all_are_of_the_trajectory(kind: FineInterpolation) -> None:
+    assert kind(MOTION, START, Rates(1000, 1)) is MOTION
 
 
 @pytest.mark.parametrize(
     ("kind", "bound"),
     [
-        (BuiltIn.LINEAR, OMEGA**2 * (EVERY * PERIOD) ** 2 / 8.0),  # max |q''| = ω² for the second joint
-        (BuiltIn.CUBIC, OMEGA**4 * (EVERY * PERIOD) ** 4 / 384.0),
+        (lines, OMEGA**2 * (EVERY * PERIOD) ** 2 / 8.0),  # max |q''| = ω² for the second joint
+        (cubics, OMEGA**4 * (EVERY * PERIOD) ** 4 / 384.0),
     ],
 )
-def test_the_error_comes_to_its_textbook_bound_and_stays_below(kind: BuiltIn, bound: float) -> None:
-    made = between_ticks(MOTION, START, controller(kind))
+def test_the_error_comes_to_its_textbook_bound_and_stays_below(kind: FineInterpolation, bound: float) -> None:
+    made = kind(MOTION, START, RATES)
     error = np.abs(made.q - MOTION.q).max()
     assert 0.9 * bound < error <= bound * (1.0 + 1e-6)
 
 
-@pytest.mark.parametrize("kind", [BuiltIn.LINEAR, BuiltIn.CUBIC])
-def test_it_meets_the_trajectory_at_the_interpolation_ticks_and_ends_at_rest(kind: BuiltIn) -> None:
-    made = between_ticks(MOTION, START, controller(kind))
+@pytest.mark.parametrize("kind", [lines, cubics])
+def test_it_meets_the_trajectory_at_the_interpolation_ticks_and_ends_at_rest(kind: FineInterpolation) -> None:
+    made = kind(MOTION, START, RATES)
     here = np.append(np.arange(EVERY, TICKS, EVERY), TICKS) - 1
     np.testing.assert_allclose(made.q[here], MOTION.q[here], rtol=0.0, atol=1e-14)
     assert (made.qd[-1] == 0.0).all()
@@ -61,13 +55,13 @@ def test_it_meets_the_trajectory_at_the_interpolation_ticks_and_ends_at_rest(kin
 
 
 def test_speeds_of_lines_are_the_steps_of_their_coordinates() -> None:
-    made = between_ticks(MOTION, START, controller(BuiltIn.LINEAR))
+    made = lines(MOTION, START, RATES)
     steps = np.diff(np.vstack((START, made.q)), axis=0) / PERIOD
     np.testing.assert_allclose(made.qd[:-1], steps[:-1], rtol=0.0, atol=1e-10)
     assert len(np.unique(np.round(made.qd[:-1, 0], 9))) <= TICKS // EVERY + 1
 
 
 def test_speeds_of_cubics_are_the_derivatives_of_their_coordinates() -> None:
-    made = between_ticks(MOTION, START, controller(BuiltIn.CUBIC))
+    made = cubics(MOTION, START, RATES)
     middle = (made.q[2:] - made.q[:-2]) / (2.0 * PERIOD)
     assert np.abs(made.qd[1:-1] - middle)[2:-2].max() < 2e-5
