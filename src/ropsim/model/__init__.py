@@ -116,6 +116,7 @@ from ropsim.model.drives.friction import FrictionLaw as FrictionLaw
 from ropsim.model.drives.friction import LoadFriction as LoadFriction
 from ropsim.model.drives.friction import LugreFriction as LugreFriction
 from ropsim.model.drives.friction import StribeckFriction as StribeckFriction
+from ropsim.model.drives.friction_parts import FrictionParts as FrictionParts
 from ropsim.model.drives.hydraulics import AtValve as AtValve
 from ropsim.model.drives.hydraulics import Hydraulic as Hydraulic
 from ropsim.model.drives.hydraulics import HydraulicCylinder as HydraulicCylinder
