@@ -46,8 +46,6 @@ from ropsim.dynamics.elastic_gears import elastic_axes as elastic_axes
 from ropsim.dynamics.elastic_gears import gear_stiffnesses as gear_stiffnesses
 from ropsim.dynamics.elastic_gears import with_rigid_gears as with_rigid_gears
 from ropsim.dynamics.fastened import spring_numbers as spring_numbers
-from ropsim.dynamics.gravity_loads import gravity_loads as gravity_loads
-from ropsim.dynamics.greatest_gravity import greatest_gravity_loads as greatest_gravity_loads
 from ropsim.dynamics.inertia import barycentric as barycentric
 from ropsim.dynamics.long_arms.long_arm import chain_acceleration_code as chain_acceleration_code
 from ropsim.dynamics.long_arms.long_arm import chain_numbers as chain_numbers
@@ -67,6 +65,8 @@ from ropsim.dynamics.loops.tree_motion import spring_lengths as spring_lengths
 from ropsim.dynamics.model_check import check_model as check_model
 from ropsim.dynamics.moved_masses import check_moved_masses as check_moved_masses
 from ropsim.dynamics.moved_masses import massless_axes as massless_axes
+from ropsim.dynamics.static_loads.gravity_loads import gravity_loads as gravity_loads
+from ropsim.dynamics.static_loads.greatest_gravity import greatest_gravity_loads as greatest_gravity_loads
 from ropsim.dynamics.structure import MOST_JOINTS as MOST_JOINTS
 from ropsim.dynamics.structure import ArmStructure as ArmStructure
 from ropsim.dynamics.structure import arm_numbers as arm_numbers

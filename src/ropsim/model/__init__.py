@@ -116,6 +116,8 @@ from ropsim.model.drives.friction import FrictionLaw as FrictionLaw
 from ropsim.model.drives.friction import LoadFriction as LoadFriction
 from ropsim.model.drives.friction import LugreFriction as LugreFriction
 from ropsim.model.drives.friction import StribeckFriction as StribeckFriction
+from ropsim.model.drives.friction_parts import FrictionParts as FrictionParts
+from ropsim.model.drives.hydraulics import AtValve as AtValve
 from ropsim.model.drives.hydraulics import Hydraulic as Hydraulic
 from ropsim.model.drives.hydraulics import HydraulicCylinder as HydraulicCylinder
 from ropsim.model.drives.hydraulics import HydraulicMotor as HydraulicMotor
@@ -126,6 +128,7 @@ from ropsim.model.drives.linkage import Point as Point
 from ropsim.model.drives.linkage import linkage as linkage
 from ropsim.model.drives.supply import ATMOSPHERE as ATMOSPHERE
 from ropsim.model.drives.supply import SEAT as SEAT
+from ropsim.model.drives.supply import SUPPLY_NUMBERS as SUPPLY_NUMBERS
 from ropsim.model.drives.supply import HydraulicSupply as HydraulicSupply
 from ropsim.model.drives.thermal_motor import COPPER as COPPER
 from ropsim.model.drives.thermal_motor import GuardedAmplifier as GuardedAmplifier

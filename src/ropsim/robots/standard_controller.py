@@ -7,6 +7,7 @@ joint by joint, and so do long chains. An arm without drives follows its referen
 """
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 
@@ -68,14 +69,7 @@ def standard_controller(robot: Mechanism, rates: Rates) -> ControllerModel:
 
 def possible_laws(robot: Mechanism) -> tuple[ControllerKind, ...]:
     """Return the laws that an arm with drives may have, the standard one first."""
-    fixed = ControllerKind.CASCADED_P_PI
-    if _is_hydraulic(robot):
-        alike = ControllerKind.PARALLEL_PI
-        return (fixed, alike) if _is_long(robot) else (ControllerKind.FLOW_LOAD_DAMPING, alike, fixed)
-    if not _is_modelled(robot):
-        return (fixed,)
-    torque = ControllerKind.COMPUTED_TORQUE
-    return (torque,) if acts_directly(robot) else (torque, fixed)
+    return tuple(kind for kind, law in _LAWS.items() if law.suits(robot))
 
 
 def controller_under(robot: Mechanism, rates: Rates, law: ControllerKind) -> ControllerModel:
@@ -85,7 +79,7 @@ def controller_under(robot: Mechanism, rates: Rates, law: ControllerKind) -> Con
         JointCountError: links or drives are missing.
         MechanismError: the mechanism cannot be.
     """
-    return _MADE[law](robot, rates)
+    return _LAWS[law].made(robot, rates)
 
 
 def _torque_controller(robot: Mechanism, rates: Rates) -> ControllerModel:
@@ -183,10 +177,26 @@ def _is_direct(drive: Drive) -> bool:
     return takes_effort and drive.motor.rotor_inertia == 0.0
 
 
-_MADE: dict[ControllerKind, Callable[[Mechanism, Rates], ControllerModel]] = {
-    ControllerKind.COMPUTED_TORQUE: _torque_controller,
-    ControllerKind.FLOW_LOAD_DAMPING: _flow_controller,
-    ControllerKind.PARALLEL_PI: _pi_controller,
-    ControllerKind.CASCADED_P_PI: cascaded_controller,
+class _Law(NamedTuple):
+    """A law of arms with drives.
+
+    Attributes:
+        suits: whether an arm may have it.
+        made: the controller with gains from the model.
+    """
+
+    suits: Callable[[Mechanism], bool]
+    made: Callable[[Mechanism, Rates], ControllerModel]
+
+
+_LAWS = {
+    ControllerKind.FLOW_LOAD_DAMPING: _Law(
+        lambda robot: _is_hydraulic(robot) and not _is_long(robot), _flow_controller
+    ),
+    ControllerKind.COMPUTED_TORQUE: _Law(_is_modelled, _torque_controller),
+    ControllerKind.CASCADED_P_PI: _Law(
+        lambda robot: not (_is_modelled(robot) and acts_directly(robot)), cascaded_controller
+    ),
+    ControllerKind.PARALLEL_PI: _Law(_is_hydraulic, _pi_controller),
 }
-"""Without the ideal one, which no arm with drives has."""
+"""Without the ideal one, which no arm with drives has; the first that suits an arm is its standard one."""

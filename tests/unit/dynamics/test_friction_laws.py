@@ -1,7 +1,7 @@
 """Laws of friction beside viscous and Coulomb friction, against their equations and an independent solver."""
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
@@ -21,6 +21,7 @@ from ropsim.dynamics import (
     steady_drive,
 )
 from ropsim.dynamics.drives.frictions.lugre import FASTEST
+from ropsim.dynamics.drives.table import FRICTIONS
 from ropsim.model import (
     Drive,
     EffortAmplifier,
@@ -63,6 +64,12 @@ def stribeck(law: StribeckFriction | LugreFriction, exponent: float, speed: floa
     """Return the dry torque of steady sliding at the motor, written down anew [N·m]."""
     low = np.exp(-(np.abs(speed / law.stribeck_speed) ** exponent))
     return float(law.coulomb + (law.breakaway - law.coulomb) * low)
+
+
+@pytest.mark.parametrize("law", FRICTIONS)
+def test_a_law_has_a_range_for_each_of_its_numbers_and_the_formulas_read_no_other(law: type) -> None:
+    names = {one.name for one in fields(law)}
+    assert set(vars(law)["RANGES"]) == names == set(FRICTIONS[law].numbers)
 
 
 @pytest.mark.parametrize("ratio", [RATIO, -RATIO])

@@ -60,8 +60,20 @@ def free_axis() -> RobotModel:
 
 def test_half_way_it_is_a_motor_with_the_volume_that_its_chambers_have_there() -> None:
     middle = 1.5e-5 + 2.5e-5 * 2.3
-    valve = (SUPPLY, BACK, BULK, FLOW, DROP, 0.05, 500.0, 0.8)
-    motor = HydraulicMotor(2.5e-5, middle, 2e-12, 1e-2, *valve)
+    motor = HydraulicMotor(
+        2.5e-5,
+        middle,
+        2e-12,
+        1e-2,
+        supply_pressure=SUPPLY,
+        return_pressure=BACK,
+        bulk_modulus=BULK,
+        rated_flow=FLOW,
+        rated_pressure_drop=DROP,
+        rated_input=0.05,
+        natural_frequency=500.0,
+        damping_ratio=0.8,
+    )
     states = np.array([9e6, 4e6, 0.3, 2.0])
     one, other = (rates_of(replace(DRIVE, motor=kind))(states, 0.0, 0.7, 0.01) for kind in (VANE, motor))
     np.testing.assert_allclose(one, other, rtol=1e-12)

@@ -242,9 +242,18 @@ def test_laws_of_friction_come_back(law: FrictionLaw) -> None:
     assert again(changed) == changed
 
 
-OIL_MOTOR = HydraulicMotor(
-    2e-4, 3e-4, 1e-12, 0.1, 2.1e7, 2e5, 1.4e9, 40e-3 / 60.0, 7e6, 0.05, 630.0, 0.8, 860.0
-)
+VALVE = {
+    "supply_pressure": 2.1e7,
+    "return_pressure": 2e5,
+    "bulk_modulus": 1.4e9,
+    "rated_flow": 40e-3 / 60.0,
+    "rated_pressure_drop": 7e6,
+    "rated_input": 0.05,
+    "natural_frequency": 630.0,
+    "damping_ratio": 0.8,
+    "oil_density": 860.0,
+}
+OIL_MOTOR = HydraulicMotor(2e-4, 3e-4, 1e-12, 0.1, **VALVE)
 HYDRAULIC = Drive(
     ValveAmplifier(0.05),
     OIL_MOTOR,
@@ -260,9 +269,11 @@ def test_hydraulic_drives_come_back() -> None:
 
 def test_vanes_come_back() -> None:
     robot = robots.load("two_link")
-    valve = (1e-12, 0.1, 2.1e7, 2e5, 1.4e9, 6e-4, 7e6, 0.05, 630.0, 0.8, 860.0)
     ends = [(-1.5 * one.upper, -1.5 * one.lower) for one in robot.joints]
-    vanes = [HydraulicVane(2e-4, last - first + 0.1, first - 0.04, 3e-5, *valve) for first, last in ends]
+    vanes = [
+        HydraulicVane(2e-4, last - first + 0.1, first - 0.04, 3e-5, 1e-12, 0.1, **VALVE)
+        for first, last in ends
+    ]
     drives = tuple(replace(HYDRAULIC, motor=one) for one in vanes)
     changed = replace(robot, drives=drives)
     assert again(changed) == changed

@@ -258,6 +258,18 @@ def test_the_keys_of_friction_say_its_law(keys: str, law: FrictionLaw) -> None:
     assert copy.drives == robot.drives
 
 
+VALVE = {
+    "supply_pressure": 21e6,
+    "return_pressure": 0.0,
+    "bulk_modulus": 1.4e9,
+    "rated_flow": 6e-4,
+    "rated_pressure_drop": 7e6,
+    "rated_input": 0.05,
+    "natural_frequency": 630.0,
+    "damping_ratio": 0.7,
+}
+
+
 def test_drives_may_be_hydraulic() -> None:
     keys = (
         "displacement = 2e-4, chamber_volume = 3e-4, leakage = 1e-12, supply_pressure = 21e6, "
@@ -271,9 +283,7 @@ def test_drives_may_be_hydraulic() -> None:
     robot = arm(f"mass = 12\ndrives = [{one}, {other}]\n" + TWO_JOINTS)
     first, second = robot.drives
     assert isinstance(first.motor, HydraulicMotor)
-    assert first.motor == HydraulicMotor(
-        2e-4, 3e-4, 1e-12, 0.0, 21e6, 0.0, 1.4e9, 6e-4, 7e6, 0.05, 630.0, 0.7
-    )
+    assert first.motor == HydraulicMotor(2e-4, 3e-4, 1e-12, 0.0, **VALVE)
     assert (first.amplifier, second.amplifier) == (ValveAmplifier(0.05), ValveAmplifier(0.04))
     assert arm(write_robot_file(robot).text).drives == robot.drives
     edges = one.replace("leakage", "null_flow = 2e-5, overlap = 0.03, leakage")
@@ -292,8 +302,7 @@ VANE = (
 def test_drives_may_be_vanes_that_swing_over_the_ranges_of_their_joints() -> None:
     text = f"mass = 12\ndrives = [{VANE}, {VANE}]\n" + TWO_JOINTS
     robot = arm(text.replace("[-170, 170]", "[-150, 150]"))
-    valve = (0.0, 0.0, 21e6, 0.0, 1.4e9, 6e-4, 7e6, 0.05, 630.0, 0.7)
-    assert robot.drives[0].motor == HydraulicVane(2e-4, 5.3, -2.65, 3e-5, *valve)
+    assert robot.drives[0].motor == HydraulicVane(2e-4, 5.3, -2.65, 3e-5, 0.0, 0.0, **VALVE)
     assert arm(write_robot_file(robot).text).drives == robot.drives
     found = read_robot_file(SourceText("a.toml", text)).findings
     (error,) = [one for one in found if one.is_error]

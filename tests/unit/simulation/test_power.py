@@ -160,7 +160,15 @@ def law(par, state, ref, meas, load, aux, out):
 def test_a_valve_draws_what_flows_out_of_its_supply_as_an_independent_solver_says() -> None:
     """Edges with null flow and overlap by cases, the supplied volume as one more state."""
     motor = HydraulicMotor(
-        *(1.26e-3, 3.15e-4, 1e-12, 0.0, SUPPLY, BACK, 1.4e9, RATED, DROP, 0.05, 630.0, 0.8),
+        *(1.26e-3, 3.15e-4, 1e-12, 0.0),
+        supply_pressure=SUPPLY,
+        return_pressure=BACK,
+        bulk_modulus=1.4e9,
+        rated_flow=RATED,
+        rated_pressure_drop=DROP,
+        rated_input=0.05,
+        natural_frequency=630.0,
+        damping_ratio=0.8,
         null_flow=2.4e-5,
         overlap=0.05,
     )

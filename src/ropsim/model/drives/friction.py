@@ -3,7 +3,16 @@
 All have a viscous and a Coulomb part, which are left of them in fast motion without load.
 """
 
+from math import nextafter
+from types import MappingProxyType
+from typing import ClassVar
+
 from ropsim.core import frozen_dataclass
+from ropsim.model.drives.friction_parts import RESISTS, SMOOTHING, FrictionRanges
+from ropsim.model.findings.number_range import FROM_ZERO, POSITIVE, UP_TO_ZERO, NumberRange
+
+_STRIBECK = (POSITIVE, "give the speed of the motor over which its friction falls")
+_PART = NumberRange(0.0, nextafter(1.0, 0.0), "0 or more and less than 1")
 
 
 @frozen_dataclass
@@ -19,6 +28,15 @@ class Friction:
         coulomb_negative: Tc- <= 0 [N·m] at the motor, for negative joint speed.
         smoothing_speed: v_s [rad/s] at the joint.
     """
+
+    RANGES: ClassVar[FrictionRanges] = MappingProxyType(
+        {
+            "viscous": RESISTS,
+            "coulomb_positive": RESISTS,
+            "coulomb_negative": (UP_TO_ZERO, RESISTS[1]),
+            "smoothing_speed": SMOOTHING,
+        }
+    )
 
     viscous: float = 0.0
     coulomb_positive: float = 0.0
@@ -43,6 +61,17 @@ class StribeckFriction:
         exponent: δ; 2 of a Gaussian, 1 of an exponential curve.
         smoothing_speed: v_s [rad/s] at the joint.
     """
+
+    RANGES: ClassVar[FrictionRanges] = MappingProxyType(
+        {
+            "viscous": RESISTS,
+            "coulomb": RESISTS,
+            "breakaway": RESISTS,
+            "stribeck_speed": _STRIBECK,
+            "exponent": (POSITIVE, "2 is a Gaussian curve"),
+            "smoothing_speed": SMOOTHING,
+        }
+    )
 
     viscous: float
     coulomb: float
@@ -76,6 +105,15 @@ class LoadFriction:
         load_share: μ, from 0 to less than 1.
         smoothing_speed: v_s [rad/s] at the joint.
     """
+
+    RANGES: ClassVar[FrictionRanges] = MappingProxyType(
+        {
+            "viscous": RESISTS,
+            "coulomb": RESISTS,
+            "load_share": (_PART, "a gear that loses all of its load would not turn"),
+            "smoothing_speed": SMOOTHING,
+        }
+    )
 
     viscous: float
     coulomb: float
@@ -113,6 +151,18 @@ class LugreFriction:
         bristle_damping: σ1 [N·m·s/rad] at the motor.
         smoothing_speed: v_s [rad/s] at the joint.
     """
+
+    RANGES: ClassVar[FrictionRanges] = MappingProxyType(
+        {
+            "viscous": RESISTS,
+            "coulomb": RESISTS,
+            "breakaway": RESISTS,
+            "stribeck_speed": _STRIBECK,
+            "bristle_stiffness": (POSITIVE, "breakaway torque over the angle within which a motor sticks"),
+            "bristle_damping": (FROM_ZERO, "check the sign"),
+            "smoothing_speed": SMOOTHING,
+        }
+    )
 
     viscous: float
     coulomb: float

@@ -39,11 +39,17 @@ class HydraulicSupply:
     pump_band: float = 5e5
     exponent: float = 1.4
 
-    def gas_at(self, pressure: float) -> float:
-        """Return the volume of the gas at a pressure of the oil [m³]; V_0 where the accumulator is empty."""
-        share = (self.precharge + ATMOSPHERE) / (max(pressure, self.precharge) + ATMOSPHERE)
-        return float(self.gas_volume * share ** (1.0 / self.exponent))
-
 
 SEAT = 1e5
 """Rise of pressure over the precharge over which the bladder of an accumulator leaves its seat [Pa]."""
+
+SUPPLY_NUMBERS = (
+    "gas_volume",
+    "precharge",
+    "pump_flow",
+    "line_volume",
+    "relief_pressure",
+    "pump_band",
+    "exponent",
+)
+"""Numbers of a supply, in the order of its formulas and of its entity in NIROX."""

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import fields
 from itertools import chain
-from math import isfinite, nextafter
+from math import isfinite
 from types import MappingProxyType
 from typing import Protocol
 
@@ -11,14 +11,13 @@ import numpy as np
 
 from ropsim.core import Diagnostic, Span
 from ropsim.model.drives.drive import Drive
+from ropsim.model.drives.friction_parts import FrictionParts
 from ropsim.model.findings import diagnostics as kinds
 from ropsim.model.findings.number_range import (
     FROM_ZERO,
     POSITIVE,
     POSITIVE_OR_INFINITE,
-    UP_TO_ZERO,
     ModelValueError,
-    NumberRange,
 )
 from ropsim.model.findings.place import Attribute, AuditPlace, PlaceOf, nowhere
 from ropsim.model.mechanism.links import Joint, JointType, Link
@@ -48,24 +47,6 @@ _RANGES_OF_JOINTS = MappingProxyType(
         Attribute.MAX_ACCELERATION: POSITIVE,
         Attribute.MAX_JERK: POSITIVE,
         Attribute.MAX_EFFORT: POSITIVE_OR_INFINITE,
-    }
-)
-_SIGN = "friction resists: check the sign"
-_WIDTH = "give the speed of the joint over which its friction turns round"
-_PART = NumberRange(0.0, nextafter(1.0, 0.0), "0 or more and less than 1")
-_RANGES_OF_FRICTION = MappingProxyType(
-    {
-        "viscous": (FROM_ZERO, _SIGN),
-        "coulomb_positive": (FROM_ZERO, _SIGN),
-        "coulomb_negative": (UP_TO_ZERO, _SIGN),
-        "smoothing_speed": (POSITIVE, _WIDTH),
-        "coulomb": (FROM_ZERO, _SIGN),
-        "breakaway": (FROM_ZERO, _SIGN),
-        "stribeck_speed": (POSITIVE, "give the speed of the motor over which its friction falls"),
-        "exponent": (POSITIVE, "2 is a Gaussian curve"),
-        "load_share": (_PART, "a gear that loses all of its load would not turn"),
-        "bristle_stiffness": (POSITIVE, "breakaway torque over the angle within which a motor sticks"),
-        "bristle_damping": (FROM_ZERO, "check the sign"),
     }
 )
 
@@ -266,7 +247,7 @@ def _drive(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]
             hint="give motor angle divided by joint coordinate",
             data={"found": 0.0},
         )
-    yield from _friction(number, drive, place_of)
+    yield from _friction(number, drive.friction, place_of)
 
 
 def _bounded(number: int, name: str, value: float, place: Span | None) -> Iterator[Diagnostic]:
@@ -282,10 +263,9 @@ def _bounded(number: int, name: str, value: float, place: Span | None) -> Iterat
     )
 
 
-def _friction(number: int, drive: Drive, place_of: PlaceOf) -> Iterator[Diagnostic]:
-    for name in (field.name for field in fields(drive.friction)):
-        allowed, hint = _RANGES_OF_FRICTION[name]
-        value = float(getattr(drive.friction, name))
+def _friction(number: int, law: FrictionParts, place_of: PlaceOf) -> Iterator[Diagnostic]:
+    for name, (allowed, hint) in law.RANGES.items():
+        value = float(getattr(law, name))
         if not allowed.allows(value):
             yield kinds.UNUSABLE_DRIVE.at(
                 place_of(AuditPlace(number, Attribute.DRIVE, name)),

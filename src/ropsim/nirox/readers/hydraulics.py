@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from ropsim.model import (
     BASE_LINK,
+    SUPPLY_NUMBERS,
     Amplifier,
     Drive,
     HydraulicCylinder,
@@ -84,16 +85,7 @@ def read_supply(seen: Seen, valve: int) -> HydraulicSupply | None:
     name = seen.text(supply, "name")
     seen.take(supply, "supply", name)
     seen.take(entry, "supply", name, "accumulator")
-    numbers = (
-        "gas_volume",
-        "precharge",
-        "pump_flow",
-        "line_volume",
-        "relief_pressure",
-        "pump_band",
-        "exponent",
-    )
-    return HydraulicSupply(name, **{one: seen.real(entry, one) for one in numbers})
+    return HydraulicSupply(name, **{one: seen.real(entry, one) for one in SUPPLY_NUMBERS})
 
 
 def _null_flow(seen: Seen, valve: int, number: int) -> float:

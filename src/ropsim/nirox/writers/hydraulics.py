@@ -1,6 +1,7 @@
 """Hydraulic motors and cylinders as instances, with their valves, supplies and pins."""
 
 from ropsim.model import (
+    SUPPLY_NUMBERS,
     WRITTEN,
     Hydraulic,
     HydraulicCylinder,
@@ -14,16 +15,6 @@ from ropsim.model import (
 from ropsim.nirox.building import UNSET, Building, Key, reals
 from ropsim.part21 import Reference, Value
 from ropsim.spatial import Pose
-
-_ACCUMULATOR = (
-    "gas_volume",
-    "precharge",
-    "pump_flow",
-    "line_volume",
-    "relief_pressure",
-    "pump_band",
-    "exponent",
-)
 
 
 def write_hydraulic(
@@ -76,7 +67,7 @@ def _supply(
     if shared is None:
         return building.add((*key, "supply"), "HYDRAULIC_SUPPLY", f"supply {name}", *pressures)
     made = building.add(("supply", shared.name), "HYDRAULIC_SUPPLY", shared.name, *pressures)
-    numbers = (float(getattr(shared, one)) for one in _ACCUMULATOR)
+    numbers = (float(getattr(shared, one)) for one in SUPPLY_NUMBERS)
     building.add(("supply", shared.name, "accumulator"), "HYDRAULIC_ACCUMULATOR", made, *numbers)
     return made
 

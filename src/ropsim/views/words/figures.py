@@ -30,7 +30,6 @@ AMPERE = Scale(1.0, "A")
 PERCENT = Scale(100.0, "%")
 METRES = Scale(1.0, "m")
 WATT = Scale(1.0, "W")
-KELVIN = Scale(1.0, "K")
 WATT_HOURS = Scale(1.0 / 3600.0, "Wh")
 
 

@@ -28,8 +28,19 @@ from support.servo_cases import controller, standing
 
 WARM = ThermalDcMotor(0.2, 0.2, 1.5, 6e-3, 2e-4, 0.6, 2.4, 20.0, 900.0, start_rise=30.0)
 LOOP = CurrentLoopMotor(0.2, 0.21, 1.5, 6e-3, 2e-4, 40.0, 12.0, 800.0)
-VALVE = (2e-12, 1e-2, 1.4e7, 2e5, 1.2e9, 2e-4, 7e6, 0.05, 500.0, 0.8)
-VANE = HydraulicVane(1e-4, 12.0, -6.0, 1.5e-5, *VALVE, null_flow=4e-6, overlap=0.02)
+VANE = HydraulicVane(
+    *(1e-4, 12.0, -6.0, 1.5e-5, 2e-12, 1e-2),
+    supply_pressure=1.4e7,
+    return_pressure=2e5,
+    bulk_modulus=1.2e9,
+    rated_flow=2e-4,
+    rated_pressure_drop=7e6,
+    rated_input=0.05,
+    natural_frequency=500.0,
+    damping_ratio=0.8,
+    null_flow=4e-6,
+    overlap=0.02,
+)
 DRIVES = (
     Drive(
         GuardedAmplifier(40.0, 20.0, 100.0),

@@ -11,6 +11,7 @@ from ropsim.dynamics.drives.hydraulics.servo_valve import (
     VALVE_NUMBERS,
     VALVE_POSITIVE,
     VALVE_STATES,
+    Valve,
     crossing,
     flow_into,
     opening_for,
@@ -30,7 +31,8 @@ def _trace(p: Numbers, states: Numbers, current: Scalar, rod: Movement) -> Torqu
 
     Beyond the ends of the stroke the chambers keep the volumes that they have there.
     """
-    area_a, area_b, stroke, dead_a, dead_b, leakage, _, bulk, *valve = p
+    area_a, area_b, stroke, dead_a, dead_b, leakage, _, bulk, *rest = p
+    valve = Valve(*rest)
     a, b, opening, rate = states
     into_a, into_b = trace_flows(valve, a, b, opening)
     out = minimum(maximum(rod.place, stroke.tracer.constant(0.0)), stroke)

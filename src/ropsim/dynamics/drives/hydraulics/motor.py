@@ -12,6 +12,7 @@ from ropsim.dynamics.drives.hydraulics.servo_valve import (
     VALVE_NUMBERS,
     VALVE_POSITIVE,
     VALVE_STATES,
+    Valve,
     crossing,
     flow_into,
     opening_for,
@@ -25,7 +26,8 @@ from ropsim.model import HydraulicMotor, HydraulicVane, InputKind
 
 def _trace(p: Numbers, states: Numbers, current: Scalar, shaft: Movement) -> Torque:
     """Return D·(p_a - p_b), and the rates of both pressures and of the spool."""
-    displacement, volume, leakage, _, bulk, *valve = p
+    displacement, volume, leakage, _, bulk, *rest = p
+    valve = Valve(*rest)
     a, b, opening, rate = states
     into_a, into_b = trace_flows(valve, a, b, opening)
     swept = displacement * shaft.speed + leakage * (a - b)

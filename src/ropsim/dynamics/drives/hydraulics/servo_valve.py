@@ -6,36 +6,52 @@ H. E. Merritt: Hydraulic Control Systems, Wiley 1967, chapter 5.
 from collections.abc import Callable
 from math import copysign
 from math import sqrt as root
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
-from ropsim.codegen import Scalar, maximum, sqrt
+from ropsim.codegen import Scalar, sqrt
 from ropsim.dynamics.drives.block import Column, Numbers, Recorded
 from ropsim.model import Hydraulic
 from ropsim.spatial import Array
 
-_Opening = TypeVar("_Opening", float, Array)
+_Number = TypeVar("_Number", float, Array, Scalar)
+_Plain = TypeVar("_Plain", float, Array)
+_Ratio = TypeVar("_Ratio", float, Scalar)
 
 LAMINAR = 1e5
 """Below this fall of pressure [Pa] the flow through an edge goes over from its root to a straight line."""
 VACUUM = -1.01325e5
 """Gauge pressure of a vacuum [Pa]; real oil cavitates before."""
 
-VALVE_NUMBERS = (
-    "return_pressure",
+
+class Valve(NamedTuple):
+    """The numbers of a valve and its supply in these formulas, called as the attributes of `AtValve`.
+
+    They stand behind the numbers of the motor or cylinder that is at the valve.
+    """
+
+    return_pressure: Scalar
+    supply_pressure: Scalar
+    rated_flow: Scalar
+    rated_pressure_drop: Scalar
+    null_flow: Scalar
+    overlap: Scalar
+    rated_input: Scalar
+    natural_frequency: Scalar
+    damping_ratio: Scalar
+
+
+VALVE_NUMBERS = Valve._fields
+VALVE_POSITIVE = (
     "supply_pressure",
     "rated_flow",
     "rated_pressure_drop",
-    "null_flow",
-    "overlap",
     "rated_input",
     "natural_frequency",
     "damping_ratio",
 )
-"""Attributes of a hydraulic motor or cylinder in these formulas."""
-VALVE_POSITIVE = (*VALVE_NUMBERS[1:4], *VALVE_NUMBERS[6:])
-"""Those that are positive."""
+"""Those that are positive; the others may be 0."""
 MOST_OPENING = 100.0
 """Openings beyond this are looked for nowhere."""
 _HALVINGS = 60
@@ -49,7 +65,7 @@ VALVE_STATES = (
 )
 
 
-def trace_flows(valve: Numbers, a: Scalar, b: Scalar, opening: Scalar) -> tuple[Scalar, Scalar]:
+def trace_flows(valve: Valve, a: Scalar, b: Scalar, opening: Scalar) -> tuple[Scalar, Scalar]:
     """Return the flow into chamber a and into chamber b [m³/s].
 
     Positive openings lead the supply to chamber a and chamber b to the return.
@@ -60,9 +76,9 @@ def trace_flows(valve: Numbers, a: Scalar, b: Scalar, opening: Scalar) -> tuple[
         b: of chamber b [Pa].
         opening: of the valve.
     """
-    back, supply, flow, drop, *_ = valve
-    edge = flow * sqrt(2.0 / drop)
-    forward, backward = _trace_edge(valve, opening), _trace_edge(valve, -opening)
+    back, supply = valve.return_pressure, valve.supply_pressure
+    edge = valve.rated_flow * sqrt(2.0 / valve.rated_pressure_drop)
+    forward, backward = _trace_edges(valve, opening)
     into_a = edge * (forward * _root(supply - a) - backward * _root(a - back))
     into_b = edge * (backward * _root(supply - b) - forward * _root(b - back))
     return into_a, into_b
@@ -75,36 +91,55 @@ def trace_taken(p: Numbers, states: Numbers) -> Scalar:
         p: numbers of a hydraulic motor or cylinder, those of its valve last.
         states: `VALVE_STATES`.
     """
-    valve = p[-len(VALVE_NUMBERS) :]
+    valve = Valve(*p[-len(VALVE_NUMBERS) :])
     a, b, opening, _ = states
-    _, supply, flow, drop, *_ = valve
-    forward, backward = _trace_edge(valve, opening), _trace_edge(valve, -opening)
-    return flow * sqrt(2.0 / drop) * (forward * _root(supply - a) + backward * _root(supply - b))
+    supply, edge = valve.supply_pressure, valve.rated_flow * sqrt(2.0 / valve.rated_pressure_drop)
+    forward, backward = _trace_edges(valve, opening)
+    return edge * (forward * _root(supply - a) + backward * _root(supply - b))
 
 
-def trace_spool(valve: Numbers, current: Scalar, opening: Scalar, rate: Scalar) -> Scalar:
+def trace_spool(valve: Valve, current: Scalar, opening: Scalar, rate: Scalar) -> Scalar:
     """Return the acceleration of the spool [1/s²]."""
-    *_, rated, natural, damping = valve
-    wanted = current / rated - opening
-    return natural * (natural * wanted - 2.0 * damping * rate)
+    natural = valve.natural_frequency
+    wanted = current / valve.rated_input - opening
+    return natural * (natural * wanted - 2.0 * valve.damping_ratio * rate)
 
 
-def _trace_edge(valve: Numbers, opening: Scalar) -> Scalar:
+def _trace_edges(valve: Valve, opening: Scalar) -> tuple[Scalar, Scalar]:
+    """Return how far the edges that open forward and those that open backward let flow through."""
+    least = _least(valve.null_flow / (2.0 * valve.rated_flow), valve.overlap, sqrt)
+    return _edge(opening, least, valve.overlap), _edge(-opening, least, valve.overlap)
+
+
+def _edges(record: Hydraulic, opening: _Plain) -> tuple[_Plain, _Plain]:
+    """Return the same of a record, for one opening or an array of them."""
+    least = least_opening(record)
+    return _edge(opening, least, record.overlap), _edge(-opening, least, record.overlap)
+
+
+def _edge(opening: _Number, least: _Number | float, overlap: _Number | float) -> _Number:
     """Return how far an edge lets flow through, 1 at the rated current.
 
     With the overlap o it is closed up to y = (x - o)/(1 - o) = 0. Beyond it is x0 + y, below x0²/(x0 - y),
     both over 1 + x0 (B. Eryilmaz, B. H. Wilson: Improved tracking control of hydraulic systems, ASME J. Dyn.
-    Sys. Meas. Control 123 (2001), 457-462); x0 is such that Q_0/(2·Q_r) is left of it at the centre.
+    Sys. Meas. Control 123 (2001), 457-462).
+
+    Args:
+        opening: x.
+        least: x0, see `least_opening`.
+        overlap: o.
     """
-    _, _, flow, _, null_flow, overlap, *_ = valve
-    zero, travel = opening.tracer.constant(0.0), 1.0 - overlap
-    leak, lap = null_flow / (2.0 * flow), overlap / travel
+    beyond, closed = (opening - overlap) * (1.0 / (1.0 - overlap)), least + LEAST_CLOSED
+    size = abs(beyond)
+    opened, shut = 0.5 * (size + beyond), 0.5 * (size - beyond)
+    return (opened + least * closed / (closed + shut)) * (1.0 / (1.0 + least))
+
+
+def _least(leak: _Ratio, overlap: _Ratio, root_of: Callable[[_Ratio], _Ratio]) -> _Ratio:
+    """Return x0 of `_edge`, such that Q_0/(2·Q_r), the leak, is left of it at the centre."""
+    lap = overlap / (1.0 - overlap)
     middle = leak * (1.0 + lap)
-    least = (middle + sqrt(middle * middle + 4.0 * (1.0 - leak) * leak * lap)) / (2.0 * (1.0 - leak))
-    closed = least + LEAST_CLOSED
-    beyond = (opening - overlap) * (1.0 / travel)
-    leaking = (least * closed) / (closed + maximum(-beyond, zero))
-    return (maximum(beyond, zero) + leaking) * (1.0 / (1.0 + least))
+    return (middle + root_of(middle * middle + 4.0 * (1.0 - leak) * leak * lap)) / (2.0 * (1.0 - leak))
 
 
 def opening_for(record: Hydraulic, flow: float, fall: float) -> float:
@@ -128,7 +163,8 @@ def flow_into(record: Hydraulic, pressure: float, opening: float) -> float:
     edge = record.rated_flow * root(2.0 / record.rated_pressure_drop)
     falls = record.supply_pressure - pressure, pressure - record.return_pressure
     into, out = (fall / root(root(fall * fall + LAMINAR * LAMINAR)) for fall in falls)
-    return edge * (_edge(record, opening) * into - _edge(record, -opening) * out)
+    to_supply, to_return = _edges(record, opening)
+    return edge * (to_supply * into - to_return * out)
 
 
 def supply_power(record: Hydraulic, columns: Recorded, speed: Array) -> Array:
@@ -145,13 +181,14 @@ def supply_power(record: Hydraulic, columns: Recorded, speed: Array) -> Array:
     falls = [supply - columns[one] for one in ("pressure_a", "pressure_b")]
     roots = [fall / np.sqrt(np.sqrt(fall * fall + LAMINAR * LAMINAR)) for fall in falls]
     edge = record.rated_flow * root(2.0 / record.rated_pressure_drop)
-    flow = edge * (_edge(record, opening) * roots[0] + _edge(record, -opening) * roots[1])
+    forward, backward = _edges(record, opening)
+    flow = edge * (forward * roots[0] + backward * roots[1])
     return np.asarray(supply * flow)
 
 
 def least_opening(record: Hydraulic) -> float:
-    """Return x0 of `_trace_edge`: the opening to which the null flow of a closed edge corresponds."""
-    return _least(record)
+    """Return the opening to which the null flow of a closed edge corresponds."""
+    return _least(record.null_flow / (2.0 * record.rated_flow), record.overlap, root)
 
 
 def crossing(grows: Callable[[float], float], most: float) -> float:
@@ -185,21 +222,6 @@ def crossing(grows: Callable[[float], float], most: float) -> float:
         if not above:
             return high
     return place
-
-
-def _least(record: Hydraulic) -> float:
-    """Return x0 of `_trace_edge`."""
-    leak, lap = record.null_flow / (2.0 * record.rated_flow), record.overlap / (1.0 - record.overlap)
-    middle = leak * (1.0 + lap)
-    return (middle + root(middle * middle + 4.0 * (1.0 - leak) * leak * lap)) / (2.0 * (1.0 - leak))
-
-
-def _edge(record: Hydraulic, opening: _Opening) -> _Opening:
-    """Return how far an edge lets flow through; see `_trace_edge`."""
-    least, beyond = _least(record), (opening - record.overlap) / (1.0 - record.overlap)
-    closed, size = least + LEAST_CLOSED, abs(beyond)
-    opened, shut = 0.5 * (size + beyond), 0.5 * (size - beyond)
-    return (opened + least * closed / (closed + shut)) / (1.0 + least)
 
 
 def _root(fall: Scalar) -> Scalar:

@@ -6,7 +6,7 @@ import numpy as np
 
 from ropsim.codegen import Scalar, maximum, minimum, power
 from ropsim.dynamics.drives.block import Column, Numbers
-from ropsim.model import ATMOSPHERE, SEAT, Drive, Hydraulic, HydraulicSupply
+from ropsim.model import ATMOSPHERE, SEAT, SUPPLY_NUMBERS, Drive, Hydraulic, HydraulicSupply
 from ropsim.spatial import Array
 
 SUPPLY = Column("supply_pressure", "Pa", "pressure of the supply that the valve is at", 0.0)
@@ -18,19 +18,8 @@ What it cannot be below is a number of each drive, of which the 0 here takes the
 _RELIEF_BAND = 0.1
 """Rise of pressure over that at which the relief valve lets all of the pump through, over the latter."""
 
-SUPPLY_NUMBERS = (
-    "gas_volume",
-    "precharge",
-    "pump_flow",
-    "line_volume",
-    "relief_pressure",
-    "pump_band",
-    "exponent",
-)
-"""Attributes of a supply in these formulas; pump pressure and bulk modulus of its drives are behind them."""
-
 SUPPLY_SIZE = len(SUPPLY_NUMBERS) + 2
-"""How many numbers a supply has."""
+"""How many numbers a supply has: pump pressure and bulk modulus of its drives are behind its own."""
 
 
 def supply_groups(drives: Sequence[Drive]) -> tuple[tuple[int, ...], ...]:

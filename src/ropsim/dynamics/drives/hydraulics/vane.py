@@ -10,6 +10,7 @@ from ropsim.dynamics.drives.hydraulics.servo_valve import (
     VALVE_NUMBERS,
     VALVE_POSITIVE,
     VALVE_STATES,
+    Valve,
     supply_power,
     trace_flows,
     trace_spool,
@@ -23,7 +24,8 @@ def _trace(p: Numbers, states: Numbers, current: Scalar, shaft: Movement) -> Tor
 
     Beyond the stops the chambers keep the volumes that they have there.
     """
-    displacement, swing, first, dead, leakage, _, bulk, *valve = p
+    displacement, swing, first, dead, leakage, _, bulk, *rest = p
+    valve = Valve(*rest)
     a, b, opening, rate = states
     into_a, into_b = trace_flows(valve, a, b, opening)
     turned = minimum(maximum(shaft.place - first, swing.tracer.constant(0.0)), swing)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.dynamics.gravity_loads import gravity_loads
+from ropsim.dynamics.static_loads.gravity_loads import gravity_loads
 from ropsim.kinematics import configurations
 from ropsim.model import Mechanism, coupled_limits
 from ropsim.spatial import Array
