@@ -27,6 +27,7 @@ from ropsim.dynamics.drives import DriveChain as DriveChain
 from ropsim.dynamics.drives import Limit as Limit
 from ropsim.dynamics.drives import LimitSort as LimitSort
 from ropsim.dynamics.drives import SteadyDrive as SteadyDrive
+from ropsim.dynamics.drives import SteadyScrew as SteadyScrew
 from ropsim.dynamics.drives import chain_of as chain_of
 from ropsim.dynamics.drives import command_band as command_band
 from ropsim.dynamics.drives import command_limit as command_limit
@@ -36,6 +37,7 @@ from ropsim.dynamics.drives import friction_steepness as friction_steepness
 from ropsim.dynamics.drives import least_opening as least_opening
 from ropsim.dynamics.drives import range_fault as range_fault
 from ropsim.dynamics.drives import reflected_inertia as reflected_inertia
+from ropsim.dynamics.drives import share_passed as share_passed
 from ropsim.dynamics.drives import shared_supply_fault as shared_supply_fault
 from ropsim.dynamics.drives import steady_drive as steady_drive
 from ropsim.dynamics.drives import supply_groups as supply_groups

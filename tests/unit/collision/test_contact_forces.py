@@ -154,6 +154,49 @@ def test_sliding_friction_is_mu_times_the_normal_force_against_the_motion(solid:
     assert found[:3] == pytest.approx([-0.18 * normal, -0.24 * normal, normal], rel=1e-6)
 
 
+@pytest.mark.parametrize("solid", [FACES[0], FACES[1], Sphere(0.02)])
+@pytest.mark.parametrize("damping", [1.0, 200.0, 1e4])
+def test_friction_is_full_from_one_millimetre_per_second_on_whatever_the_damping(
+    solid: Solid, damping: float
+) -> None:
+    pairs, pose = pair(solid, ContactLaw(STIFFNESS, damping, 0.3)), at(0.1, 0.2, TOP + 0.02 - DEPTH)
+    for speed, share in ((0.5e-3, 0.5), (1e-3, 1.0), (5e-3, 1.0)):
+        found = wrench(pairs, pose, np.array([[speed, 0.0, 0.0], [0.0, 0.0, 0.0]]))
+        assert found[0] == pytest.approx(-0.3 * share * found[2], rel=1e-6)
+
+
+@pytest.mark.parametrize("mass", [0.5, 3.0, 1e3])
+def test_friction_stops_a_light_mass_within_a_tick_and_no_sooner(mass: float) -> None:
+    pairs, pose = pair(Sphere(0.02), ContactLaw(STIFFNESS, 200.0, 0.3)), at(0.1, 0.2, TOP + 0.02 - DEPTH)
+    period, speed, motion = 1e-3, 1e-3, np.zeros((3, 3))
+    mobility = np.diag([period / mass] * 3 + [0.0] * 3)
+    motion[0], motion[1, 0] = pose[:3, 3], speed
+    found = pairs.pressed(pairs.placed({"a": pose, "b": np.eye(4)}), motion, mobility).wrench
+    assert -found[0] == pytest.approx(min(0.3 * STIFFNESS * DEPTH, mass * speed / period), rel=1e-6)
+
+
+@pytest.mark.parametrize("solid", FACES)
+def test_friction_that_is_held_over_a_tick_takes_energy_from_what_it_slows_down(solid: Solid) -> None:
+    """Of bodies with any masses, about any point, however they slide and turn: light ones are stopped."""
+    random = np.random.default_rng(3)
+    rough, smooth = (pair(solid, ContactLaw(STIFFNESS, 1.0, share)) for share in (5.0, 0.0))
+    for _ in range(100):
+        pose = at(0.1, 0.2, TOP + 0.02 - DEPTH, random.normal(size=3) * 1e-3)
+        root = random.normal(size=(6, 6)) * 10.0 ** random.uniform(-2.0, 0.0)
+        mobility, motion = root @ root.T, np.zeros((3, 3))
+        motion[0], motion[1:] = pose[:3, 3] + random.normal(size=3) * 0.1, random.normal(size=(2, 3)) * 1e-2
+        motion[1, 2] = 0.0
+        placed = (one.placed({"a": pose, "b": np.eye(4)}) for one in (rough, smooth))
+        drag, plain = (
+            one.pressed(where, motion, mobility).wrench
+            for one, where in zip((rough, smooth), placed, strict=True)
+        )
+        friction, velocity = drag - plain, motion[1:].ravel()
+        change = friction @ velocity + 0.5 * friction @ mobility @ friction
+        assert change <= 1e-12 * abs(friction @ velocity)
+        assert friction @ velocity <= 0.0
+
+
 def _hole(wide: float) -> dict[str, tuple[Solid, Array]]:
     """Return four boxes around a square hole along z."""
     half = 0.5 * wide + 0.02

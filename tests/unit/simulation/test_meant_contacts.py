@@ -126,6 +126,16 @@ def test_sliding_friction_is_mu_times_the_normal_force() -> None:
     assert -sliding[:, 0] == pytest.approx(0.3 * sliding[:, 2], rel=0.02)
 
 
+@pytest.mark.parametrize("damping", [10.0, 200.0, 1500.0])
+def test_friction_of_a_slow_slide_is_full_whatever_the_damping(damping: float) -> None:
+    """At 1 kHz friction of 5 N stops the 3 kg in a tick from 1.7 mm/s; 10 mm/s are 0.2 % of the most."""
+    cell = pressed_cell(contact(STIFFNESS, damping, 0.3), solid=PIN)
+    recording = ran(cell, "mov joints(0, 9)", "wait 0.3 s", "mov joints(10, 9) speed 0.2 %")
+    sliding = wrenches(recording)[np.abs(recording.rows("qd")[:, 0] - 0.01) < 1e-3]
+    assert len(sliding) > 300
+    assert -sliding[:, 0] == pytest.approx(0.3 * sliding[:, 2], rel=0.02)
+
+
 def test_a_recording_does_not_depend_on_how_the_reference_is_sliced() -> None:
     cell = pressed_cell(contact(STIFFNESS, 500.0, 0.3), solid=PIN)
     lines = ("mov joints(0, 9)", "lin (30, 0, 9) speed 50 mm/s", "mov joints(30, 40)")

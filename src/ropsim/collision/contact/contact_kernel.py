@@ -6,6 +6,13 @@ bodies is as deep as D = (Σ w·d⁸)^(1/8), w the weights of the points, and ha
 of the points, k·D·∂D/∂d along the slope of d, are continuous in the pose, never pull, and their work does not
 depend on the way. Of forces with these properties none counts a face and a single corner with the same
 stiffness.
+
+Friction is held over a control tick T. At a point i with the share w_i of a pair it is a drag b_i against the
+velocity s_i of sliding, at most µ·N_i/max(|s_i|, v). All of a pair change the kinetic energy of the moving
+body by -T·Σ b_i·|s_i|² + T²/2·fᵀ·Y·f, where f is their wrench and Y the inverse mass matrix felt there.
+By the inequality of Cauchy and Schwarz that is not positive while b_i ≤ 2·w_i/(T·Σw·y_i), with y_i = Y at i
+along s_i. Drags are at most half of that, which stops a single point in a tick; so two pairs together create
+no energy either.
 """
 
 from math import sqrt
@@ -18,11 +25,19 @@ from ropsim.spatial import Array
 RAMP = 1e-5
 """Damping comes into force over this depth [m], so that a touch begins without a jump."""
 SLIP = 1e-3
-"""Least speed at which friction has its full size [m/s]."""
+"""Speed of sliding from which on friction has its full size, where a control tick bears it [m/s]."""
 ON_EDGE = 0.03125
 """Weight of a point on an edge of the body that stands: few of them are in the other one."""
 BALL = 2
 """Mark of a ball."""
+STIFFNESS = 0
+"""Columns of the laws of contact: force over depth [N/m], ..."""
+DAMPING = 1
+"""... force over the speed of approach [N·s/m], ..."""
+FRICTION = 2
+"""... and the Coulomb coefficient."""
+AT, VELOCITY, TURNING = 0, 1, 2
+"""Rows of a motion: reference point in W [m], its velocity [m/s], angular velocity of the body [rad/s]."""
 
 
 class Surfaces(NamedTuple):
@@ -47,6 +62,19 @@ class Surfaces(NamedTuple):
     hulls: Array2
 
 
+class Moved(NamedTuple):
+    """Motion and mobility of the pressed body.
+
+    Attributes:
+        motion: by rows as named above, shape (3, 3).
+        mobility: change of both velocities over a control tick by a wrench at the reference point, in W, in
+            (m/s, rad/s) over (N, N·m), shape (6, 6); zeros for a body of infinite mass.
+    """
+
+    motion: Array2
+    mobility: Array2
+
+
 class Room(NamedTuple):
     """Room to work in.
 
@@ -69,7 +97,7 @@ def contact_wrenches(
     poses: Array2,
     pairs: Array2,
     laws: Array2,
-    motion: Array2,
+    moved: Moved,
     room: Room,
     found: Array2,
 ) -> None:
@@ -79,9 +107,8 @@ def contact_wrenches(
         surfaces: of all bodies.
         poses: R_W by rows and p_W [m] of each, shape (n, 12).
         pairs: numbers of the body that moves and the one that stands, shape (p, 2).
-        laws: stiffness [N/m], damping [N·s/m] and coefficient of friction of each pair, shape (p, 3).
-        motion: reference point in W [m], its velocity [m/s], and the angular velocity of what moves [rad/s],
-            shape (3, 3).
+        laws: of each pair, by columns as named above, shape (p, 3).
+        moved: motion and mobility of the pressed body.
         room: to work in.
         found: force [N] and moment [N·m] about the reference point, in W, and the greatest depth of a point
             [m]; shape (p, 7).
@@ -96,7 +123,7 @@ def contact_wrenches(
             count = _pressed(surfaces, poses, a, b, -1.0, room.points, 1)
             count = _pressed(surfaces, poses, b, a, 1.0, room.points, count)
         if count > 1:
-            _forces(room.points, count, laws, p, motion, found)
+            _forces(room.points, count, laws, p, moved.motion, moved.mobility, found)
 
 
 def _ball(
@@ -240,7 +267,9 @@ def _depth(planes: Array, bodies: Array, b: int, work: Array) -> float:
     return least / root
 
 
-def _forces(work: Array, count: int, laws: Array, p: int, motion: Array, found: Array) -> None:
+def _forces(
+    work: Array, count: int, laws: Array, p: int, motion: Array, mobility: Array, found: Array
+) -> None:
     """Add up the forces of the points of a pair."""
     greatest = 0.0
     for i in range(1, count):
@@ -250,23 +279,31 @@ def _forces(work: Array, count: int, laws: Array, p: int, motion: Array, found: 
         share = work[i, 6] / greatest
         total += work[i, 7] * ((share * share) ** 2) ** 2
     depth = greatest * sqrt(sqrt(sqrt(total)))
-    damping = laws[p, 1] * min(depth / RAMP, 1.0)
+    damping = laws[p, DAMPING] * min(depth / RAMP, 1.0)
+    parts = 0.0
     for i in range(1, count):
-        x, y, z = work[i, 0] - motion[0, 0], work[i, 1] - motion[0, 1], work[i, 2] - motion[0, 2]
-        vx = motion[1, 0] + motion[2, 1] * z - motion[2, 2] * y
-        vy = motion[1, 1] + motion[2, 2] * x - motion[2, 0] * z
-        vz = motion[1, 2] + motion[2, 0] * y - motion[2, 1] * x
+        ratio = work[i, 6] / depth
+        parts += work[i, 7] * ratio * (ratio * ratio) ** 2 * ratio * ratio
+    for i in range(1, count):
+        x, y, z = work[i, 0] - motion[AT, 0], work[i, 1] - motion[AT, 1], work[i, 2] - motion[AT, 2]
+        vx = motion[VELOCITY, 0] + motion[TURNING, 1] * z - motion[TURNING, 2] * y
+        vy = motion[VELOCITY, 1] + motion[TURNING, 2] * x - motion[TURNING, 0] * z
+        vz = motion[VELOCITY, 2] + motion[TURNING, 0] * y - motion[TURNING, 1] * x
         ux, uy, uz = work[i, 3], work[i, 4], work[i, 5]
         square = ux * ux + uy * uy + uz * uz
         ratio = work[i, 6] / depth
         part = work[i, 7] * ratio * (ratio * ratio) ** 2 * ratio * ratio
         away = ux * vx + uy * vy + uz * vz
-        normal = part * max(laws[p, 0] * depth - damping * away, 0.0)
+        normal = part * max(laws[p, STIFFNESS] * depth - damping * away, 0.0)
         if square > 0.0 and normal > 0.0:
             out = away / square
             sx, sy, sz = vx - out * ux, vy - out * uy, vz - out * uz
-            slip = max(sqrt(sx * sx + sy * sy + sz * sz), SLIP)
-            drag = min(laws[p, 2] * normal * sqrt(square) / slip, laws[p, 1] * part)
+            slip = sqrt(sx * sx + sy * sy + sz * sz)
+            drag = laws[p, FRICTION] * normal * sqrt(square) / max(slip, SLIP)
+            if slip > 0.0:
+                changed = parts * _changed(mobility, (x, y, z), (sx / slip, sy / slip, sz / slip))
+                if drag * changed > part:
+                    drag = part / changed
             fx, fy, fz = normal * ux - drag * sx, normal * uy - drag * sy, normal * uz - drag * sz
             found[p, 0] += fx
             found[p, 1] += fy
@@ -275,3 +312,15 @@ def _forces(work: Array, count: int, laws: Array, p: int, motion: Array, found: 
             found[p, 4] += z * fx - x * fz
             found[p, 5] += x * fy - y * fx
     found[p, 6] = greatest
+
+
+def _changed(mobility: Array, at: tuple[float, float, float], way: tuple[float, float, float]) -> float:
+    """Return by how much a unit force along a way at a point changes its speed that way in a tick."""
+    x, y, z = at
+    u, v, w = way
+    wrench = (u, v, w, y * w - z * v, z * u - x * w, x * v - y * u)
+    total = 0.0
+    for r in range(6):
+        for c in range(6):
+            total += wrench[r] * mobility[r, c] * wrench[c]
+    return float(total)

@@ -6,16 +6,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropsim.collision.contact.contact_kernel import Room, Surfaces, contact_wrenches
+from ropsim.collision.contact.contact_kernel import Moved, Room, Surfaces, contact_wrenches
 from ropsim.collision.contact.surface import FLOOR, FLOOR_SURFACE, Surface, surface_of
 from ropsim.collision.convex import Convex
 from ropsim.collision.solid_bodies import SolidBodies
 from ropsim.core import frozen_dataclass
-from ropsim.spatial import Array
+from ropsim.spatial import Array, frozen
 
 NEAR = 1e-3
 """Convex bodies farther from each other have no point in each other [m]."""
-
+IMMOVABLE = frozen(np.zeros((6, 6)))
+"""Mobility of a body of infinite mass."""
 _AT_ORIGIN = np.eye(4)
 
 
@@ -105,13 +106,15 @@ class ContactPairs:
             gaps[[bool(away & {int(i), int(j)}) for i, j, _ in self._rows]] = np.inf
         return PlacedPairs(self, placed, gaps)
 
-    def pressed(self, placed: "PlacedPairs", motion: Array) -> Pressed:
+    def pressed(self, placed: "PlacedPairs", motion: Array, mobility: Array = IMMOVABLE) -> Pressed:
         """Return what acts on the bodies that move.
 
         Args:
             placed: the pairs at their poses.
             motion: reference point in W [m], its velocity [m/s], and the angular velocity of what moves
                 [rad/s], shape (3, 3).
+            mobility: change of both velocities over a control tick by a wrench at the reference point, in W
+                [m/s, rad/s over N, N·m], shape (6, 6): friction is bounded by it. Zeros for infinite masses.
         """
         near = placed.gaps <= NEAR
         if not near.any():
@@ -119,7 +122,8 @@ class ContactPairs:
         pairs = np.ascontiguousarray(self._pairs[near])
         found = np.empty((len(pairs), 7))
         laws = np.ascontiguousarray(self._laws[near])
-        contact_wrenches(self._surfaces, placed.poses, pairs, laws, motion, self._room, found)
+        moved = Moved(np.ascontiguousarray(motion), np.ascontiguousarray(mobility))
+        contact_wrenches(self._surfaces, placed.poses, pairs, laws, moved, self._room, found)
         return Pressed(found[:, :6].sum(axis=0), float(found[:, 6].max()))
 
 

@@ -1,5 +1,7 @@
 """Drives as chains of blocks: contributions of each block to the equations of an arm, as traced formulas."""
 
+from ropsim.dynamics.drives.ball_screw import SteadyScrew as SteadyScrew
+from ropsim.dynamics.drives.ball_screw import share_passed as share_passed
 from ropsim.dynamics.drives.block import Carried as Carried
 from ropsim.dynamics.drives.block import Column as Column
 from ropsim.dynamics.drives.block import Limit as Limit

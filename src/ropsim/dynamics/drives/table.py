@@ -2,7 +2,7 @@
 
 from ropsim.dynamics.drives.amplifiers import CURRENT_LIMITED, EFFORT, GUARDED, VALVE, VOLTAGE
 from ropsim.dynamics.drives.backlash_gear import BACKLASH_GEAR
-from ropsim.dynamics.drives.ball_screw import BALL_SCREW
+from ropsim.dynamics.drives.ball_screw import BALL_SCREW, STEADY_SCREW, SteadyScrew
 from ropsim.dynamics.drives.block import (
     AmplifierBlock,
     FrictionBlock,
@@ -75,6 +75,7 @@ TRANSMISSIONS: dict[type, TransmissionBlock] = {
     BacklashGear: BACKLASH_GEAR,
     Linkage: LINKAGE,
     BallScrew: BALL_SCREW,
+    SteadyScrew: STEADY_SCREW,
 }
 LINKS: dict[type, LinkBlock] = {LinkElasticity: LINK_ELASTICITY}
 FRICTIONS: dict[type, FrictionBlock] = {

@@ -21,7 +21,7 @@ class MeantContact:
         standing: names of objects, parts, devices, and of the floor (`FLOOR`).
         stiffness: force over the depth of one flat face in another one [N/m].
         damping: force over the speed of approach [N·s/m].
-        friction: Coulomb coefficient.
+        friction: Coulomb coefficient; in full while bodies slide, in proportion to speed at the slowest.
         depth: the greatest that is meant [m]; deeper bodies collide.
     """
 

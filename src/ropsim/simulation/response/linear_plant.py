@@ -9,7 +9,7 @@ from ropsim.codegen import Engine, GivenCode, load
 from ropsim.controller import LawTraits
 from ropsim.dynamics import arm_numbers, passive_ratios, structure_of
 from ropsim.model import Friction, Payload, Rates, RobotModel
-from ropsim.simulation.servo.held_state import SMALL, without_dead_zones
+from ropsim.simulation.servo.held_state import SMALL, with_steady_screws, without_dead_zones
 from ropsim.simulation.servo.plant_code import ClosedPlantCode, LongPlantCode, plant_code
 from ropsim.simulation.servo.plant_steps import plant_steps_of
 from ropsim.simulation.servo.state import StateLayout
@@ -18,7 +18,7 @@ from ropsim.spatial import Array
 
 @dataclass(frozen=True, slots=True)
 class LinearPlant:
-    """An arm whose drives have no dry friction, play and overlap, as functions of its state.
+    """An arm whose drives have no dry friction, play and overlap, and whose screws are linear, as functions.
 
     Attributes:
         arm: that arm.
@@ -44,6 +44,7 @@ class LinearPlant:
     def of(cls, robot: RobotModel, rates: Rates) -> "LinearPlant":
         """Return the plant of an arm with drives."""
         arm = without_dead_zones(_without_dry_friction(robot))
+        arm = with_steady_screws(arm, robot.home, np.zeros(robot.n), Payload())
         structure = structure_of(arm)
         code = plant_code(structure)
         efforts = tuple(one for one in code.functions if one.name == "efforts")
@@ -58,9 +59,15 @@ class LinearPlant:
             np.array([drive.sense for drive in arm.drives]),
         )
 
-    def constants(self, payload: Payload) -> Array:
-        """Return the numbers of the arm with a load."""
-        return self.code.constants(arm_numbers(self.arm, payload))
+    def constants(self, q: Array, qd: Array, payload: Payload) -> Array:
+        """Return the numbers of the arm with a load in a steady motion.
+
+        Args:
+            q: joint coordinates [rad | m], shape (n,).
+            qd: joint speeds [rad/s | m/s], shape (n,); screws pass on what they do at them.
+            payload: tool and part.
+        """
+        return self.code.constants(arm_numbers(with_steady_screws(self.arm, q, qd, payload), payload))
 
     def matrices(self, constants: Array, point: tuple[Array, Array]) -> tuple[Array, Array]:
         """Return how the state after a tick follows from that before it and from the command of the law.

@@ -49,16 +49,18 @@ class ServoLoop:
     def about(self, q: Array, payload: Payload, motions: Sequence[SlowMotion]) -> tuple[LinearLoop, ...]:
         """Return plant and law about rests and slow motions at a place, see `linear_loop`.
 
+        In motion a ball screw passes on η₁ of a force that lifts its load, and 1/η₂ of one that lets it down.
+
         Args:
             q: coordinates [rad | m], shape (n,).
             payload: tool and part; the law knows it.
             motions: rests and slow motions.
         """
-        constants = self.plant.constants(payload)
-        return tuple(self._about(q, payload, constants, motion.qd) for motion in motions)
+        return tuple(self._about(q, payload, motion.qd) for motion in motions)
 
-    def _about(self, q: Array, payload: Payload, constants: Array, qd: Array) -> LinearLoop:
+    def _about(self, q: Array, payload: Payload, qd: Array) -> LinearLoop:
         plant, law = self.plant, self.law.law
+        constants = plant.constants(q, qd, payload)
         point = steady_state(plant.arm, q, qd, payload)
         seen = SeenState(plant, constants, law.traits, point, self.late)
         stands = point[0].copy()
@@ -80,9 +82,10 @@ def linear_loop(
     """Return plant and law about a rest, without dry friction, which would damp the loop.
 
     Near standstill dry friction is a steep smooth curve in simulations: a loop that only this damps is not
-    damped in motion. Amplifiers are away from their limits, gears on their flanks, valves beyond their
-    overlap. Sensors of the controller are late by their delay and by half of their period; their steps and
-    their noise have no part in it.
+    damped in motion. The losses of ball screws are alike: here they have none, see `ServoLoop.about` for slow
+    motions. Amplifiers are away from their limits, gears on their flanks, valves beyond their overlap.
+    Sensors of the controller are late by their delay and by half of their period; their steps and their noise
+    have no part in it.
 
     Args:
         robot: with drives.

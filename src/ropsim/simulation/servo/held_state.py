@@ -1,5 +1,6 @@
 """An arm at rest or in steady motion: the state about which plant and loops are linearised."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -8,14 +9,16 @@ from ropsim.codegen import Engine
 from ropsim.controller import LawTraits
 from ropsim.dynamics import (
     SteadyDrive,
+    SteadyScrew,
     closed_coordinates,
     compiled,
     passive_ratios,
+    share_passed,
     steady_drive,
     structure_of,
     supply_groups,
 )
-from ropsim.model import BacklashGear, Drive, ElasticGear, Hydraulic, Payload, RobotModel
+from ropsim.model import BacklashGear, BallScrew, Drive, ElasticGear, Hydraulic, Payload, RobotModel
 from ropsim.simulation.servo.state import StateLayout
 from ropsim.spatial import Array
 
@@ -30,14 +33,38 @@ def held_drives(robot: RobotModel, q: Array, payload: Payload) -> tuple[SteadyDr
 
 def _steady_drives(robot: RobotModel, q: Array, qd: Array, payload: Payload) -> tuple[SteadyDrive, ...]:
     """Return the drives of an arm that goes on at a speed; their viscous friction is in their efforts."""
-    tau = _efforts(robot, q, qd, payload)
+    rows = _rows_of(robot, q, qd, _efforts(robot, q, qd, payload))
+    return tuple(steady_drive(*row) for row in rows)
+
+
+def _rows_of(
+    robot: RobotModel, q: Array, qd: Array, tau: Array
+) -> Iterator[tuple[Drive, float, float, float]]:
+    """Yield each drive with place, speed, and effort of its axis, its viscous friction included."""
     places = zip(robot.drives, *(np.asarray(one, np.float64).tolist() for one in (q, qd, tau)), strict=True)
-    return tuple(
-        steady_drive(
-            drive, place, speed, effort + drive.ratio_at(place) ** 2 * drive.friction.viscous * speed
-        )
-        for drive, place, speed, effort in places
-    )
+    for drive, place, speed, effort in places:
+        yield drive, place, speed, effort + drive.ratio_at(place) ** 2 * drive.friction.viscous * speed
+
+
+def with_steady_screws(robot: RobotModel, q: Array, qd: Array, payload: Payload) -> RobotModel:
+    """Return an arm whose ball screws lose what they do under its weight at speeds, and nothing at rest.
+
+    Their losses turn round with the motion, within a few mm/s: about a rest this would be a damper, of the
+    kind of dry friction, and in motion there is none. Arguments as in `steady_state`.
+    """
+    if not any(isinstance(one.transmission, BallScrew) for one in robot.drives):
+        return robot
+    rows = _rows_of(robot, q, qd, _efforts(robot, q, qd, payload))
+    drives = (_with_steady_screw(drive, effort, speed) for drive, _, speed, effort in rows)
+    return replace(robot, drives=tuple(drives))
+
+
+def _with_steady_screw(drive: Drive, effort: float, speed: float) -> Drive:
+    screw = drive.transmission
+    if not isinstance(screw, BallScrew):
+        return drive
+    numbers = (screw.lead, screw.efficiency, screw.back_efficiency, screw.screw_inertia)
+    return replace(drive, transmission=SteadyScrew(*numbers, share_passed(screw, effort, speed)))
 
 
 def held_state(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Array]:
@@ -52,7 +79,7 @@ def held_state(robot: RobotModel, q: Array, payload: Payload) -> tuple[Array, Ar
 
 
 def steady_state(robot: RobotModel, q: Array, qd: Array, payload: Payload) -> tuple[Array, Array]:
-    """Return the same of an arm whose axes go on at speeds; its dry friction is left out.
+    """Return the same of an arm whose axes go on at speeds; its dry friction is left out, not its threads.
 
     Args:
         robot: with drives.
@@ -60,6 +87,7 @@ def steady_state(robot: RobotModel, q: Array, qd: Array, payload: Payload) -> tu
         qd: joint speeds [rad/s | m/s], shape (n,).
         payload: tool and part.
     """
+    robot = with_steady_screws(robot, q, qd, payload)
     layout = StateLayout.of(structure_of(robot), LawTraits())
     x, u = np.zeros(layout.integrated), np.empty(robot.n)
     x[: robot.n] = q

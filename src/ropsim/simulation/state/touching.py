@@ -1,12 +1,14 @@
 """Meant contacts of one station: what the environment exerts on its tool and held part."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from ropsim.collision import ContactLaw, ContactPairs, Convex, TouchingPair, convexes
 from ropsim.core import frozen_dataclass
+from ropsim.dynamics import compiled
 from ropsim.kinematics import frame_and_jacobian, frames_batch, speed_bound
 from ropsim.model import (
     FLOOR,
@@ -15,6 +17,7 @@ from ropsim.model import (
     Cell,
     JointType,
     MeantContact,
+    Payload,
     RobotModel,
     body_tree,
     pressing_bodies,
@@ -69,16 +72,18 @@ class Touching:
     pairs: ContactPairs
     extent: dict[str, float]
     run: CellRun | None = None
+    _masses: tuple[Payload, Callable[[Array, Array], object]] | None = None
     _fastest: dict[float, float] = field(default_factory=dict)
     _seats: tuple[Placements, dict[str, Array], list[tuple[str, Seat]]] | None = None
 
-    def exerted(self, q: Array, qd: Array, tick: int) -> Exerted:
+    def exerted(self, q: Array, qd: Array, tick: int, payload: Payload | None = None) -> Exerted:
         """Return what acts on the arm at coordinates and speeds of its axes.
 
         Args:
             q: [rad | m], shape (n,).
             qd: [rad/s | m/s], shape (n,).
             tick: control tick of the station, for which the environment is taken.
+            payload: what the arm bears; None where forces do not move it.
         """
         assert self.run is not None, "a station moves only while it runs"
         at = self.run.stations[self.name]
@@ -102,9 +107,19 @@ class Touching:
             return Exerted(*nothing, 0.0, int(min((gap - CLOSE) * at.hz / speed, _STILL)))
         R = X_WB[:3, :3]
         motion = np.array([X_WM[:3, 3], R @ velocity[:3], R @ velocity[3:]])
-        found = self.pairs.pressed(placed, motion)
+        mobility = np.zeros((6, 6)) if payload is None else self._mobility(robot, q, payload, J, R) / at.hz
+        found = self.pairs.pressed(placed, motion, mobility)
         in_base = np.concatenate((R.T @ found.wrench[:3], R.T @ found.wrench[3:]))
         return Exerted(found.wrench, J.T @ in_base, found.depth, 0)
+
+    def _mobility(self, robot: RobotModel, q: Array, payload: Payload, J: Array, R: Array) -> Array:
+        """Return the accelerations of the interface for wrenches at its origin, both in W, shape (6, 6)."""
+        if self._masses is None or self._masses[0] is not payload:
+            self._masses = payload, compiled(robot, payload).mass_matrix
+        entries = np.empty(robot.n * robot.n)
+        self._masses[1](q, entries)
+        in_world = np.vstack((R @ J[:3], R @ J[3:]))
+        return np.asarray(in_world @ np.linalg.solve(entries.reshape(robot.n, robot.n), in_world.T))
 
     def _held(self, at: StationRun, X_WM: Array, time: float) -> dict[str, Array]:
         """Return the poses of the tool in force, its fingers, and the parts that it holds, by name."""

@@ -164,7 +164,7 @@ class ServoPlant:
         done, half = 0, 0.5 * self._servo.period
         while done < reference.ticks:
             state = self._state
-            found = self._pressed.touching.exerted(state.q + half * state.qd, state.qd, state.tick)
+            found = self._pressed.touching.exerted(state.q + half * state.qd, state.qd, state.tick, payload)
             until = min(done + max(found.quiet, 1), reference.ticks)
             self._state = state.pressed(found.efforts)
             drive = self._drive if found.quiet > 1 else driven_anew
