@@ -5,7 +5,7 @@ from enum import StrEnum
 from types import MappingProxyType
 
 from ropsim.core import frozen_dataclass
-from ropsim.model.law_file import LawFile
+from ropsim.model.controller_file import ControllerFile
 
 
 class Entity(StrEnum):
@@ -32,7 +32,7 @@ class OwnEntity:
     """
 
     entity: Entity
-    file: LawFile
+    file: ControllerFile
 
 
 class BuiltIn(StrEnum):

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from ropsim.controller import ClockError, ClockLimits, ClockState, advance, motion_clock
-from ropsim.controller.testing import ClockNumbers
-from ropsim.controller.testing import advance_clock as walk_kernel
+from ropsim.controller.motion_clock_kernel import ClockNumbers
+from ropsim.controller.motion_clock_kernel import advance_clock as walk_kernel
 from ropsim.flow import JointReference
 from ropsim.spatial import Array
 from support.in_python import in_python

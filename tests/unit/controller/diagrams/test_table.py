@@ -2,7 +2,7 @@
 
 from ropsim.blockdiagram import DriveCommand
 from ropsim.blockdiagram.testing import BLOCK_FORMS
-from ropsim.controller.testing import BLOCK_CODE
+from ropsim.controller.diagrams.diagram_law import BLOCK_CODE
 
 
 def test_every_kind_of_block_has_code_or_is_a_filter() -> None:
