@@ -31,7 +31,8 @@ from ropsim.blockdiagram.diagram import Diagram as Diagram
 from ropsim.blockdiagram.diagram import Link as Link
 from ropsim.blockdiagram.diagram import OutputKind as OutputKind
 from ropsim.blockdiagram.discrete import Filter as Filter
-from ropsim.blockdiagram.discrete import filter_of as filter_of
+from ropsim.blockdiagram.forms import filter_of as filter_of
+from ropsim.blockdiagram.forms import passes_at_once as passes_at_once
 from ropsim.blockdiagram.kinds.adaptive import Adaptation as Adaptation
 from ropsim.blockdiagram.kinds.adaptive import model_reference_adaptive as model_reference_adaptive
 from ropsim.blockdiagram.kinds.drawing import Axes as Axes
@@ -57,6 +58,5 @@ from ropsim.blockdiagram.signals import Role as Role
 from ropsim.blockdiagram.signals import Signal as Signal
 from ropsim.blockdiagram.signals import Unit as Unit
 from ropsim.blockdiagram.wiring import Wiring as Wiring
-from ropsim.blockdiagram.wiring import passes_at_once as passes_at_once
 from ropsim.blockdiagram.wiring import wiring_of as wiring_of
 from ropsim.blockdiagram.writing import write_diagram as write_diagram

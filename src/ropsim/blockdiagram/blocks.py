@@ -264,10 +264,3 @@ class ModelFeedForward(Block):
 @frozen_dataclass
 class DriveCommand(Block):
     """The inputs of the amplifiers for efforts and speeds of the axes, by the model of the drives."""
-
-
-ELEMENTWISE = (
-    *(Gain, Sum, Product, TransferFunction, Integrator, Pid, Saturation, RateLimiter, DeadBand, Delay),
-    *(Lookup, Notch, MovingFilter),
-)
-"""Blocks whose inputs all have the size of the output."""

@@ -3,6 +3,7 @@
 from math import tan
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ropsim.blockdiagram.blocks import Method, Notch, TransferFunction
 from ropsim.core import frozen_dataclass
@@ -34,24 +35,33 @@ class Filter:
         return len(self.a) - 1
 
 
-def filter_of(block: TransferFunction | Notch) -> Filter:
-    """Return a block as a filter in discrete time.
+def notch_filter(block: Notch) -> Filter:
+    """Return a notch in discrete time; its frequency is kept."""
+    w, z = block.frequency, block.damping
+    numerator, denominator = (1.0, 2.0 * block.depth * z * w, w * w), (1.0, 2.0 * z * w, w * w)
+    return tustin_filter(numerator, denominator, w / tan(0.5 * w * block.sample_time))
 
-    Args:
-        block: a transfer function that is proper, or a notch.
-    """
-    if isinstance(block, Notch):
-        w, z = block.frequency, block.damping
-        numerator = np.array([1.0, 2.0 * block.depth * z * w, w * w])
-        denominator = np.array([1.0, 2.0 * z * w, w * w])
-        return _filter(*_tustin(numerator, denominator, w / tan(0.5 * w * block.sample_time)))
+
+def transfer_filter(block: TransferFunction) -> Filter:
+    """Return a transfer function that is proper in discrete time."""
     denominator = np.array(block.denominator)
     numerator = np.concatenate((np.zeros(len(denominator) - len(block.numerator)), block.numerator))
     if block.method is Method.DISCRETE:
         return _filter(numerator, denominator)
     if block.method is Method.TUSTIN:
-        return _filter(*_tustin(numerator, denominator, 2.0 / block.sample_time))
+        return tustin_filter(numerator, denominator, 2.0 / block.sample_time)
     return _filter(*_held(numerator, denominator, block.sample_time))
+
+
+def tustin_filter(numerator: ArrayLike, denominator: ArrayLike, rate: float) -> Filter:
+    """Return a transfer function of s as one of z, with s = rate·(z - 1)/(z + 1).
+
+    Args:
+        numerator: coefficients of s, the highest power first, as many as those of the denominator.
+        denominator: coefficients of s.
+        rate: 2/T, or another one that keeps a certain frequency [1/s].
+    """
+    return _filter(_bilinear(np.array(numerator), rate), _bilinear(np.array(denominator), rate))
 
 
 def _filter(b: Array, a: Array) -> Filter:
@@ -59,17 +69,6 @@ def _filter(b: Array, a: Array) -> Filter:
     total = float(a.sum())
     steady = float(b.sum()) / total if abs(total) > _NO_GAIN * float(np.abs(a).max()) else None
     return Filter(tuple(b.tolist()), tuple(a.tolist()), steady)
-
-
-def _tustin(numerator: Array, denominator: Array, rate: float) -> tuple[Array, Array]:
-    """Return the polynomials of z with s = rate·(z - 1)/(z + 1).
-
-    Args:
-        numerator: coefficients of s, as long as the denominator.
-        denominator: coefficients of s.
-        rate: 2/T, or another one that keeps a certain frequency.
-    """
-    return _bilinear(numerator, rate), _bilinear(denominator, rate)
 
 
 def _bilinear(polynomial: Array, rate: float) -> Array:

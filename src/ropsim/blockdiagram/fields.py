@@ -1,9 +1,11 @@
-"""How the fields of blocks stand in a file: a table from entities of the schema to records."""
+"""How the kinds of blocks differ: their fields in a file, and what checks and wiring ask of them."""
 
-from enum import Enum, StrEnum
-from typing import TypeAlias
+from collections.abc import Callable, Iterable
+from enum import Enum, Flag, StrEnum, auto
+from typing import Any, TypeAlias
 
-from ropsim.blockdiagram import blocks as b
+from ropsim.blockdiagram.blocks import Block
+from ropsim.blockdiagram.discrete import Filter
 from ropsim.core import frozen_dataclass
 
 
@@ -21,64 +23,49 @@ class FieldKind(Enum):
 Kind: TypeAlias = FieldKind | type[StrEnum]
 
 
+class Trait(Flag):
+    """What a kind of block does with sizes and units.
+
+    Inputs and output of an `ELEMENTWISE` block have equal sizes, those of one that `KEEPS_UNITS` equal units.
+    """
+
+    NONE = 0
+    ELEMENTWISE = auto()
+    KEEPS_UNITS = auto()
+
+
+def _no_faults(block: Block) -> Iterable[str]:
+    del block
+    return ()
+
+
+def _at_once(block: Block) -> bool:
+    del block
+    return True
+
+
 @frozen_dataclass
 class BlockForm:
-    """A kind of block in a file.
+    """A kind of block.
 
     Attributes:
         entity: of the schema.
         block: record.
         fields: names and types of its own fields, in the order of the schema.
+        traits: of its inputs and output.
+        inputs: least and greatest number of inputs.
+        whole: fields with lists of numbers that do not belong to elements.
+        faults: says of a block what its numbers, each finite, must not be.
+        at_once: whether an output depends on inputs at the same tick; that of a filter follows from it.
+        filter: of a block that filters each element, which needs no code of its own; None for all others.
     """
 
     entity: str
-    block: type[b.Block]
+    block: type[Block]
     fields: tuple[tuple[str, Kind], ...] = ()
-
-
-_REAL, _REALS, _OPTIONAL = FieldKind.REAL, FieldKind.REALS, FieldKind.OPTIONAL_REALS
-_MATRIX, _INTEGER = FieldKind.MATRIX, FieldKind.INTEGER
-_TIME = ("sample_time", _REAL)
-
-BLOCK_FORMS = (
-    BlockForm("gain", b.Gain, (("factors", _REALS),)),
-    BlockForm("matrix_gain", b.MatrixGain, (("matrix", _MATRIX),)),
-    BlockForm("sum", b.Sum, (("signs", FieldKind.INTEGERS),)),
-    BlockForm("product", b.Product),
-    BlockForm("constant_source", b.Constant, (("values", _REALS),)),
-    BlockForm(
-        "state_space",
-        b.StateSpace,
-        (("a", _MATRIX), ("b", _MATRIX), ("c", _MATRIX), ("d", _MATRIX), ("x0", _OPTIONAL), _TIME),
-    ),
-    BlockForm(
-        "transfer_function",
-        b.TransferFunction,
-        (("numerator", _REALS), ("denominator", _REALS), ("method", b.Method), _TIME),
-    ),
-    BlockForm("integrator", b.Integrator, (("factors", _REALS), ("initial", _REALS), _TIME)),
-    BlockForm(
-        "pid",
-        b.Pid,
-        (
-            *((name, _REALS) for name in ("kp", "ki", "kd", "derivative_filter")),
-            *(("setpoint_weight", _REALS), ("derivative_weight", _REALS)),
-            *(("lower", _OPTIONAL), ("upper", _OPTIONAL)),
-            *(("anti_windup", b.AntiWindup), ("tracking_time", _OPTIONAL), _TIME),
-        ),
-    ),
-    BlockForm("saturation", b.Saturation, (("lower", _REALS), ("upper", _REALS))),
-    BlockForm("rate_limiter", b.RateLimiter, (("falling", _REALS), ("rising", _REALS), _TIME)),
-    BlockForm("dead_band", b.DeadBand, (("lower", _REALS), ("upper", _REALS))),
-    BlockForm("delay", b.Delay, (("ticks", _INTEGER),)),
-    BlockForm("lookup_1d", b.Lookup, (("points", _REALS), ("values", _REALS))),
-    BlockForm("notch", b.Notch, (("frequency", _REAL), ("damping", _REAL), ("depth", _REAL), _TIME)),
-    BlockForm("moving_filter", b.MovingFilter, (("ticks", _INTEGER),)),
-    BlockForm("switch", b.Switch, (("threshold", _REAL),)),
-    BlockForm("model_feed_forward", b.ModelFeedForward, (("kind", b.ModelKind),)),
-    BlockForm("drive_command", b.DriveCommand),
-)
-"""Every kind of block: another one is a record, an entity of the schema, an entry here, and its code."""
-
-FORM_OF = {one.block: one for one in BLOCK_FORMS}
-FORM_OF_ENTITY = {one.entity: one for one in BLOCK_FORMS}
+    traits: Trait = Trait.NONE
+    inputs: tuple[int, int] = (1, 1)
+    whole: tuple[str, ...] = ()
+    faults: Callable[[Any], Iterable[str]] = _no_faults
+    at_once: Callable[[Any], bool] = _at_once
+    filter: Callable[[Any], Filter] | None = None

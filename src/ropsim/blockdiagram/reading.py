@@ -8,7 +8,8 @@ from ropsim.blockdiagram.checks.check import MOST, faults_of
 from ropsim.blockdiagram.checks.fault import CONTROLLER, Part
 from ropsim.blockdiagram.diagnostics import NOT_A_DIAGRAM, WRONG_WIRING
 from ropsim.blockdiagram.diagram import Diagram, Link, OutputKind
-from ropsim.blockdiagram.fields import FORM_OF_ENTITY, FieldKind, Kind
+from ropsim.blockdiagram.fields import FieldKind, Kind
+from ropsim.blockdiagram.forms import FORM_OF_ENTITY
 from ropsim.blockdiagram.schema_text import NAME, control_schema
 from ropsim.blockdiagram.signals import Role, Signal, Unit
 from ropsim.core import Diagnostic, SourceText, Span, did_you_mean, frozen_dataclass

@@ -3,9 +3,8 @@
 from collections.abc import Iterable, Mapping
 from graphlib import CycleError, TopologicalSorter
 
-from ropsim.blockdiagram.blocks import Block, Delay, Integrator, StateSpace, TransferFunction
 from ropsim.blockdiagram.diagram import Diagram
-from ropsim.blockdiagram.discrete import filter_of
+from ropsim.blockdiagram.forms import passes_at_once
 from ropsim.core import frozen_dataclass
 
 Element = tuple[str, int]
@@ -41,19 +40,6 @@ class LoopError(Exception):
         super().__init__()
         self.blocks = blocks
         self.element = element
-
-
-def passes_at_once(block: Block) -> bool:
-    """Return whether an output of a block depends on its inputs at the same tick."""
-    match block:
-        case Delay() | Integrator():
-            return False
-        case StateSpace():
-            return any(any(row) for row in block.d)
-        case TransferFunction():
-            return filter_of(block).b[0] != 0.0
-        case _:
-            return True
 
 
 def wiring_of(diagram: Diagram) -> Wiring:

@@ -6,7 +6,8 @@ from ropsim.blockdiagram.blocks import Block
 from ropsim.blockdiagram.checks.check import check_diagram
 from ropsim.blockdiagram.diagnostics import NOT_WRITTEN, DiagramError
 from ropsim.blockdiagram.diagram import Diagram, Link
-from ropsim.blockdiagram.fields import FORM_OF, FieldKind, Kind
+from ropsim.blockdiagram.fields import FieldKind, Kind
+from ropsim.blockdiagram.forms import FORM_OF
 from ropsim.blockdiagram.schema_text import NAME, control_schema
 from ropsim.blockdiagram.signals import Signal
 from ropsim.express import Population, validate

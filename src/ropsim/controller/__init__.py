@@ -2,16 +2,16 @@
 
 from ropsim.controller.arm_poses import ArmPoses as ArmPoses
 from ropsim.controller.cascaded_p_pi import cascaded_p_pi as cascaded_p_pi
-from ropsim.controller.correction import Correction as Correction
-from ropsim.controller.correction import CorrectionRange as CorrectionRange
-from ropsim.controller.correction import next_correction as next_correction
-from ropsim.controller.correction_room import ShiftedArm as ShiftedArm
-from ropsim.controller.correction_room import ShiftedJoints as ShiftedJoints
+from ropsim.controller.corrections.correction import Correction as Correction
+from ropsim.controller.corrections.correction import CorrectionRange as CorrectionRange
+from ropsim.controller.corrections.correction import next_correction as next_correction
+from ropsim.controller.corrections.correction_room import ShiftedArm as ShiftedArm
+from ropsim.controller.corrections.correction_room import ShiftedJoints as ShiftedJoints
+from ropsim.controller.corrections.shifted_joints import braked as braked
+from ropsim.controller.corrections.shifted_joints import is_within_limits as is_within_limits
+from ropsim.controller.corrections.shifted_joints import shifted_reference as shifted_reference
 from ropsim.controller.diagrams.diagram_law import diagram_law as diagram_law
 from ropsim.controller.diagrams.law_files import law_file_findings as law_file_findings
-from ropsim.controller.diagrams.own_module import made_by_module as made_by_module
-from ropsim.controller.diagrams.own_module import syntax_finding as syntax_finding
-from ropsim.controller.diagrams.own_module import untrusted as untrusted
 from ropsim.controller.hydraulics.flow_law import flow_load_damping as flow_load_damping
 from ropsim.controller.hydraulics.parallel_pi import parallel_pi as parallel_pi
 from ropsim.controller.law import CompiledLaw as CompiledLaw
@@ -25,7 +25,6 @@ from ropsim.controller.law_code import law_arrays as law_arrays
 from ropsim.controller.law_code import law_code as law_code
 from ropsim.controller.law_code import law_functions as law_functions
 from ropsim.controller.law_diagnostics import LAW_DOES_NOT_FIT as LAW_DOES_NOT_FIT
-from ropsim.controller.law_diagnostics import MODULE_FAILS as MODULE_FAILS
 from ropsim.controller.law_diagnostics import GainError as GainError
 from ropsim.controller.law_diagnostics import LawError as LawError
 from ropsim.controller.law_model import LawModel as LawModel
@@ -38,6 +37,12 @@ from ropsim.controller.motion_clock import ClockState as ClockState
 from ropsim.controller.motion_clock import Rows as Rows
 from ropsim.controller.motion_clock import advance as advance
 from ropsim.controller.motion_clock import undisturbed as undisturbed
+from ropsim.controller.own_modules.module_diagnostics import JOINT_CONTROLLER as JOINT_CONTROLLER
+from ropsim.controller.own_modules.module_diagnostics import MODULE_FAILS as MODULE_FAILS
+from ropsim.controller.own_modules.module_diagnostics import ModuleError as ModuleError
+from ropsim.controller.own_modules.module_diagnostics import untrusted as untrusted
+from ropsim.controller.own_modules.own_module import made_by_module as made_by_module
+from ropsim.controller.own_modules.own_module import syntax_finding as syntax_finding
 from ropsim.controller.rehearsal import failed as failed
 from ropsim.controller.rehearsal import rehearse as rehearse
 from ropsim.controller.rehearsal import stopped as stopped
@@ -45,6 +50,3 @@ from ropsim.controller.sensing.sensor_errors import NOISE as NOISE
 from ropsim.controller.sensing.sensor_errors import noise as noise
 from ropsim.controller.sensing.sensor_interface import CellSensors as CellSensors
 from ropsim.controller.sensing.sensor_interface import with_change as with_change
-from ropsim.controller.shifted_joints import braked as braked
-from ropsim.controller.shifted_joints import is_within_limits as is_within_limits
-from ropsim.controller.shifted_joints import shifted_reference as shifted_reference

@@ -68,35 +68,6 @@ have. The message says which states that drive has.
 """,
 )
 
-MODULE_NOT_TRUSTED = define(
-    "C628",
-    "module-not-trusted",
-    Severity.ERROR,
-    "a controller is a module of a project that is not trusted",
-    """
-`file = "controllers/mine.py"` in `[controller]` takes a joint controller in Python from the project. Such
-code can do whatever you can do, so it runs only in folders that you trust. Until then no program of the
-project runs.
-
-If you know where the project comes from, `ropsim trust PATH` lets its code run, `ropsim trust PATH --revoke`
-takes that back. A block diagram (`.p21`) is data and needs no trust.
-""",
-)
-
-MODULE_FAILS = define(
-    "C629",
-    "module-fails",
-    Severity.ERROR,
-    "a module of the project that makes a controller does not do its work",
-    """
-The module, or another one of the project that it imports, cannot be read as Python or raises an exception,
-or it has no function of the name that is needed:
-`joint_controller(robot, controller)` for `file` in `[controller]`, which returns a `CompiledLaw` or an
-object with `traits` and `step`; for a key of `[controller.entities]` the function of its name, such as
-`path_planner(standard, cell, station)`, which returns an object in place of the standard one.
-""",
-)
-
 
 class LawError(RopsimError):
     """A law does not work or does not fit."""

@@ -1,7 +1,7 @@
 """The model of an arm in a law: equations of motion, transmissions, numbers of the drives, by name."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import fields
 from functools import lru_cache
 
@@ -74,7 +74,11 @@ class LawModel:
 
     def functions(self, source: str) -> tuple[SourceFunction, ...]:
         """Return those of the functions that a source calls."""
-        made = {"inverse": _inverse, "inertias": _inertias, "transmission": _transmission}
+        made: dict[str, Callable[[ArmStructure], SourceFunction]] = {
+            "inverse": _inverse,
+            "inertias": _inertias,
+            "transmission": _transmission,
+        }
         structure = structure_of(with_rigid_gears(self.robot))
         return tuple(make(structure) for name, make in made.items() if re.search(rf"\b{name}\(", source))
 
@@ -149,15 +153,26 @@ def _transmitted(drive: Drive, q: float) -> tuple[float, float, float]:
     return gear.ratio, 0.0, gear.ratio * q
 
 
-@lru_cache(maxsize=16)
 def _inverse(structure: ArmStructure) -> SourceFunction:
     """Return `inverse(model, q, qd, qdd, load, tau)` of an arm with rigid gears."""
+    return inverse_function("inverse", ("q", "qd", "qdd"), structure)
+
+
+@lru_cache(maxsize=32)
+def inverse_function(name: str, motion: tuple[str, ...], structure: ArmStructure) -> SourceFunction:
+    """Return `name(model, *motion, load, tau)`, which writes the torques of the drives of a motion to `tau`.
+
+    Args:
+        name: of the function.
+        motion: arrays of coordinates, speeds and accelerations; a fourth one has the speeds of friction.
+        structure: of an arm with rigid gears.
+    """
     tracer, n = Tracer(), structure.n
-    q, qd, qdd = (tracer.variables(name, n) for name in ("q", "qd", "qdd"))
+    q, qd, qdd, *others = (tracer.variables(one, n) for one in motion)
     load, arm = tracer.variables("load", _LOAD), split_numbers(structure, _given(tracer, structure))
-    tau = trace_loaded_inverse(tracer, structure, arm, (q, qd, qdd), load, (qd, qdd))
+    tau = trace_loaded_inverse(tracer, structure, arm, (q, qd, qdd), load, (others[0] if others else qd, qdd))
     results = [(f"tau[{k}]", one) for k, one in enumerate(tau)]
-    return emit("inverse", ("model", "q", "qd", "qdd", "load", "tau"), results)
+    return emit(name, ("model", *motion, "load", "tau"), results)
 
 
 @lru_cache(maxsize=16)

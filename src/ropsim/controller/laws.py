@@ -39,7 +39,8 @@ def joint_law(model: ControllerModel, robot: Mechanism) -> CompiledLaw | PythonL
 
     Raises:
         GainError: as `law_of`.
-        LawError: C602, C628, C629: the law does not fit, or a module of the project is not trusted or fails.
+        LawError: C602, the law does not fit.
+        ModuleError: C628, C629: a module of the project is not trusted or fails.
         DiagramError: C621 to C626, a block diagram is wrong or does not fit.
     """
     return law_of_file(model, robot) if model.kind is ControllerKind.FILE else law_of(model, robot)

@@ -89,6 +89,9 @@ from ropsim.model.controller import Rates as Rates
 from ropsim.model.controller import ShortLines as ShortLines
 from ropsim.model.controller import Synchronisation as Synchronisation
 from ropsim.model.controller import gain_names as gain_names
+from ropsim.model.controller_file import DIAGRAM_ENDINGS as DIAGRAM_ENDINGS
+from ropsim.model.controller_file import MODULE_ENDING as MODULE_ENDING
+from ropsim.model.controller_file import ControllerFile as ControllerFile
 from ropsim.model.drives.ball_screw import BallScrew as BallScrew
 from ropsim.model.drives.ball_screw import lead_of_turn as lead_of_turn
 from ropsim.model.drives.ball_screw import lead_per_turn as lead_per_turn
@@ -175,9 +178,6 @@ from ropsim.model.geometry.rod import rod as rod
 from ropsim.model.joint_sensors import MEASURED as MEASURED
 from ropsim.model.joint_sensors import JointSensor as JointSensor
 from ropsim.model.joint_sensors import JointSensors as JointSensors
-from ropsim.model.law_file import DIAGRAM_ENDINGS as DIAGRAM_ENDINGS
-from ropsim.model.law_file import MODULE_ENDING as MODULE_ENDING
-from ropsim.model.law_file import LawFile as LawFile
 from ropsim.model.mechanism.coordinates import Coordinates as Coordinates
 from ropsim.model.mechanism.coordinates import coordinates as coordinates
 from ropsim.model.mechanism.coordinates import passive_coordinates as passive_coordinates

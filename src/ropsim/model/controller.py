@@ -6,10 +6,10 @@ from typing import ClassVar
 
 from ropsim.core import frozen_dataclass
 from ropsim.flow import ParameterOrigin
+from ropsim.model.controller_file import ControllerFile
 from ropsim.model.entities import NamedEntity, OwnEntity
 from ropsim.model.findings.number_range import COORDINATE, EXTENT, RATE, TIME, Ranges, between, whole
 from ropsim.model.joint_sensors import JointSensors
-from ropsim.model.law_file import LawFile
 from ropsim.spatial import Array, frozen, record
 
 
@@ -252,12 +252,12 @@ class NoGains:
     RANGES: ClassVar[Ranges] = {}
 
 
-Gains = CascadedGains | ComputedTorqueGains | FlowGains | PiGains | NoGains | LawFile
+Gains = CascadedGains | ComputedTorqueGains | FlowGains | PiGains | NoGains | ControllerFile
 
 
 def gain_names(gains: Gains) -> tuple[str, ...]:
     """Return the names of the gains of a law, in the order of its parameters; the law of a file has none."""
-    return () if isinstance(gains, LawFile) else tuple(one.name for one in fields(gains))
+    return () if isinstance(gains, ControllerFile) else tuple(one.name for one in fields(gains))
 
 
 @frozen_dataclass

@@ -3,7 +3,7 @@
 from enum import StrEnum
 
 from ropsim.core import frozen_dataclass
-from ropsim.model.law_file import LawFile
+from ropsim.model.controller_file import ControllerFile
 
 
 class Entity(StrEnum):
@@ -30,7 +30,7 @@ class OwnEntity:
     """
 
     entity: Entity
-    file: LawFile
+    file: ControllerFile
 
 
 @frozen_dataclass

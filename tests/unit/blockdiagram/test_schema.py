@@ -4,8 +4,7 @@ import pytest
 from steputils import p21
 
 from ropsim.blockdiagram import published_controller
-from ropsim.blockdiagram.fields import BLOCK_FORMS, BlockForm
-from ropsim.blockdiagram.schema_text import control_schema, control_schema_text
+from ropsim.blockdiagram.testing import BLOCK_FORMS, BlockForm, control_schema, control_schema_text
 from ropsim.part21 import Absent, Enumeration, Reference, Value, read_exchange
 from support.express_oracle import seen_by_another_reader, seen_by_ours
 

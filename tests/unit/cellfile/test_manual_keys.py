@@ -50,6 +50,13 @@ def listed(opening: str) -> set[str]:
     return {word for row in rows.split("\n\n")[0].splitlines()[1:] for word in words_of(row.split("|")[1])}
 
 
+def kinds_of_sensors() -> list[str]:
+    """Return the kinds that the reader knows, from its finding about one that it does not know."""
+    text = f'{ARM}[signals.a]\ninput = 1\nsensor = {{ kind = "none such" }}\n'
+    (found,) = (one for one in read_cell(SourceText("cell.toml", text), "")[1] if one.code == "X808")
+    return re.findall(r"`([^`]*)`", found.message.partition("allowed are")[2])
+
+
 UNITS = words_of(behind("## Units").partition("\nThe tables")[0])
 ROBOT, STATION, CONTROLLER = listed("## `[robot]`"), listed("## `[stations."), listed("## `[controller]`")
 TRACK, POSITIONER = listed("| key of `track`"), listed("| key of `positioner`")
@@ -75,6 +82,7 @@ HEADS = {
     Use.TURNTABLE: '[devices.a]\nkind = "turntable"',
 }
 
+KINDS_OF_SENSORS = kinds_of_sensors()
 EXPLAINED = [
     (f"?\n{ARM}", {*re.findall(r"^## `\[+(\w+)", MANUAL, re.MULTILINE), *UNITS}),
     (f"{ARM}[cell]\n?", listed("## `[cell]`")),
@@ -143,11 +151,18 @@ EXPLAINED = [
         for shape in ("cylinder", "capsule", "sphere", "prism", "circle", "arc")
     ),
     (f"{ARM}[signals.a]\ninput = 1\n?", SIGNAL),
-    (f'{ARM}[signals.a]\ninput = 1\nsensor = {{ kind = "distance", ? }}', SENSOR | SENSOR_ERRORS),
-    (f'{ARM}[signals.a]\ninput = 1\nsensor = {{ kind = "force", ? }}', SENSOR | SENSOR_ERRORS),
-    (f'{ARM}[signals.a]\ninput = 1\nsensor = {{ kind = "force torque", ? }}', SENSOR | SENSOR_ERRORS),
+    *(
+        (f'{ARM}[signals.a]\ninput = 1\nsensor = {{ kind = "{kind}", ? }}', SENSOR | SENSOR_ERRORS)
+        for kind in KINDS_OF_SENSORS
+    ),
     (f"{ARM}[classic]\n?", told("How task files of the classic form")),
 ]
+
+
+def test_the_manual_names_every_kind_of_sensor() -> None:
+    row = next(line for line in behind("### Sensors at tools").splitlines() if line.startswith("| `kind`"))
+    assert {"distance", "force"} < set(KINDS_OF_SENSORS)
+    assert set(re.findall(r'`"([^"`]*)"`', row)) == set(KINDS_OF_SENSORS)
 
 
 @pytest.mark.parametrize(("text", "explained"), EXPLAINED, ids=[text for text, _ in EXPLAINED])

@@ -1,5 +1,6 @@
 """Each key that the reader of the cell file asks for has a meaning, and a form where it is read."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -19,6 +20,18 @@ def test_what_is_asked_for_has_a_meaning(cell: Path) -> None:
     questions, _ = asked_in_cell_file(SourceText("cell.toml", cell.read_text("utf-8")))
     assert questions
     assert [path for path in questions if not meaning_of(path)] == []
+
+
+def test_keys_of_every_kind_of_sensor_have_a_meaning() -> None:
+    start = '[robot]\nmodel = "puma560"\n[signals.a]\ninput = 1\nanalog = true\nsensor = { kind = '
+    _, (found, *_) = read_cell(SourceText("cell.toml", f'{start}"none such" }}\n'), "cell")
+    kinds = re.findall(r"`([^`]*)`", found.message.partition("allowed are")[2])
+    assert {"distance", "force"} < set(kinds)
+    for kind in kinds:
+        questions, _ = asked_in_cell_file(SourceText("cell.toml", f'{start}"{kind}" }}\n'))
+        asked = [path for path in questions if path[:3] == ("signals", "a", "sensor")]
+        assert len(asked) > 2, kind
+        assert [path for path in asked if not meaning_of(path)] == [], kind
 
 
 def test_meanings_are_of_keys_that_the_manual_has() -> None:

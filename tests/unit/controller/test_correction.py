@@ -15,7 +15,7 @@ from ropsim.controller import (
     next_correction,
     shifted_reference,
 )
-from ropsim.controller.correction_room import SHARE
+from ropsim.controller.corrections.correction_room import SHARE
 from ropsim.flow import JointReference, PathTracking, ToolDirection
 from ropsim.kinematics import forward
 from ropsim.model import CorrectionLimits, Payload

@@ -6,27 +6,9 @@ from ropsim.blockdiagram import blocks as b
 from ropsim.blockdiagram.checks.fault import CONTROLLER, Fault, Part, blocks_of, called
 from ropsim.blockdiagram.diagnostics import WRONG_SIZE
 from ropsim.blockdiagram.diagram import Diagram
-from ropsim.blockdiagram.fields import FORM_OF, FieldKind
+from ropsim.blockdiagram.fields import FieldKind, Trait
+from ropsim.blockdiagram.forms import FORM_OF
 from ropsim.blockdiagram.signals import PER_AXIS
-
-_COUNTS: dict[type[b.Block], tuple[int, int]] = {
-    b.Constant: (0, 0),
-    b.MatrixGain: (1, 1000),
-    b.StateSpace: (1, 1000),
-    b.Sum: (1, 1000),
-    b.Product: (2, 1000),
-    b.Pid: (2, 3),
-    b.Switch: (3, 3),
-    b.ModelFeedForward: (1, 4),
-    b.DriveCommand: (2, 2),
-}
-"""Least and greatest number of inputs; one for all others."""
-_WHOLE = {
-    b.StateSpace: ("x0",),
-    b.TransferFunction: ("numerator", "denominator"),
-    b.Lookup: ("points", "values"),
-}
-"""Lists of numbers that do not belong to elements."""
 
 
 def size_faults(diagram: Diagram) -> Iterator[Fault]:
@@ -54,13 +36,14 @@ def size_faults(diagram: Diagram) -> Iterator[Fault]:
 
 
 def _inputs(part: Part, block: b.Block, inputs: list[int], size: int, axes: int) -> Iterator[Fault]:
-    least, most = _COUNTS.get(type(block), (1, 1))
+    form = FORM_OF[type(block)]
+    least, most = form.inputs
     if isinstance(block, b.ModelFeedForward):
         least, most = (1, 1) if block.kind is b.ModelKind.GRAVITY else (3, 4)
     if not least <= len(inputs) <= most:
         allowed = str(least) if least == most else f"{least} to {most}"
         yield Fault(WRONG_SIZE, part, f"{called(block)} has {len(inputs)} inputs, allowed are {allowed}")
-    elif isinstance(block, b.ELEMENTWISE) and any(one != size for one in inputs):
+    elif Trait.ELEMENTWISE in form.traits and any(one != size for one in inputs):
         wrong = next(one for one in inputs if one != size)
         message = f"{called(block)} has an input of {wrong} elements and an output of {size}"
         yield Fault(WRONG_SIZE, part, message, "it works element by element: both have equal sizes")
@@ -73,12 +56,13 @@ def _inputs(part: Part, block: b.Block, inputs: list[int], size: int, axes: int)
 
 
 def _lists(part: Part, block: b.Block, size: int) -> Iterator[Fault]:
-    for name, kind in FORM_OF[type(block)].fields:
+    form = FORM_OF[type(block)]
+    for name, kind in form.fields:
         values = getattr(block, name)
         if kind is FieldKind.INTEGERS and len(values) != len(block.inputs):
             message = f"{called(block)} has {len(values)} signs for {len(block.inputs)} inputs"
             yield Fault(WRONG_SIZE, part, message)
-        if kind not in (FieldKind.REALS, FieldKind.OPTIONAL_REALS) or name in _WHOLE.get(type(block), ()):
+        if kind not in (FieldKind.REALS, FieldKind.OPTIONAL_REALS) or name in form.whole:
             continue
         if len(values) not in (1, size) and not (kind is FieldKind.OPTIONAL_REALS and not values):
             message = f"`{name}` of {called(block)} has {len(values)} numbers; allowed are 1 or {size}"

@@ -6,10 +6,10 @@ from ropsim.blockdiagram import blocks as b
 from ropsim.blockdiagram.checks.fault import Fault, Part, blocks_of, called
 from ropsim.blockdiagram.diagnostics import WRONG_UNIT
 from ropsim.blockdiagram.diagram import Diagram, OutputKind
+from ropsim.blockdiagram.fields import Trait
+from ropsim.blockdiagram.forms import FORM_OF
 from ropsim.blockdiagram.signals import SLIDING, TURNING, Role, Signal, Unit
 
-_KEEPS = (b.Saturation, b.RateLimiter, b.DeadBand, b.Delay, b.Notch, b.MovingFilter)
-"""Blocks whose output has the unit of their input."""
 _OUTPUTS = {
     OutputKind.VOLTAGE: (Unit.VOLT,),
     OutputKind.EFFORT: (Unit.NEWTON_METRE, Unit.NEWTON),
@@ -49,7 +49,7 @@ def unit_faults(diagram: Diagram) -> Iterator[Fault]:
 
 def _block(part: Part, block: b.Block, inputs: list[Signal], output: Signal) -> Iterator[Fault]:
     equal: list[Signal] = []
-    if isinstance(block, (b.Sum, *_KEEPS)):
+    if Trait.KEEPS_UNITS in FORM_OF[type(block)].traits:
         equal = [*inputs, output]
     elif isinstance(block, b.Switch):
         equal = [*inputs[1:], output]

@@ -7,19 +7,19 @@ import numpy as np
 
 from ropsim import robots
 from ropsim.cellfile import diagnostics as kinds
+from ropsim.cellfile.robots.controller_files import read_entities, with_law_file
 from ropsim.cellfile.robots.external_axes import ExternalAxes, read_external_axes
-from ropsim.cellfile.robots.law_file import read_entities, with_law_file
 from ropsim.cellfile.robots.sensors import read_sensors, sensor_words
 from ropsim.core import RopsimError
 from ropsim.kinematics import follower_limits
 from ropsim.model import (
     GAIN_NAMES,
     LAW_WORDS,
+    ControllerFile,
     ControllerKind,
     ControllerModel,
     CorrectionLimits,
     JointType,
-    LawFile,
     LookAhead,
     OrientationMode,
     OriginKind,
@@ -218,7 +218,7 @@ def _controller(
         )
         for name in names
     }
-    if not isinstance(controller.gains, LawFile):
+    if not isinstance(controller.gains, ControllerFile):
         controller = replace(controller, gains=type(controller.gains)(**gains))
     return replace(
         controller,

@@ -23,7 +23,7 @@ from ropsim.controller.law_diagnostics import LAW_DOES_NOT_FIT, LawError
 from ropsim.controller.law_model import law_model
 from ropsim.model import Mechanism
 
-_CODE: dict[type[b.Block], Callable[[Any, Written], object]] = {
+BLOCK_CODE: dict[type[b.Block], Callable[[Any, Written], object]] = {
     b.Gain: static_blocks.gain,
     b.MatrixGain: static_blocks.matrix_gain,
     b.Sum: static_blocks.sum_,
@@ -34,8 +34,6 @@ _CODE: dict[type[b.Block], Callable[[Any, Written], object]] = {
     b.Lookup: static_blocks.lookup,
     b.Switch: static_blocks.switch,
     b.StateSpace: memory_blocks.state_space,
-    b.TransferFunction: memory_blocks.filtered,
-    b.Notch: memory_blocks.filtered,
     b.Integrator: memory_blocks.integrator,
     b.RateLimiter: memory_blocks.rate_limiter,
     b.Delay: memory_blocks.delay,
@@ -43,7 +41,7 @@ _CODE: dict[type[b.Block], Callable[[Any, Written], object]] = {
     b.Pid: pid,
     b.ModelFeedForward: model_feed_forward,
 }
-"""Who writes the code of a block; that of `DriveCommand` depends on the drives."""
+"""Who writes the code of a block that is no filter; that of `DriveCommand` depends on the drives."""
 _ROWS = {
     b.Role.REFERENCE_COORDINATE: "ref[0, {k}]",
     b.Role.REFERENCE_SPEED: "ref[1, {k}]",
@@ -111,7 +109,7 @@ def _law(diagram: b.Diagram, robot: Mechanism, influence: np.ndarray[Any, Any]) 
         if isinstance(block, b.DriveCommand):
             drive_command(block, to, robot)
             continue
-        written = _CODE[type(block)](block, to)
+        written = _write(block, to)
         if block.name == diagram.holding:
             places = written if isinstance(written, dict) else {}
             holding = [places[k] for k in range(n)] if places else [f"x[{first + k}]" for k in range(n)]
@@ -144,6 +142,15 @@ def _law(diagram: b.Diagram, robot: Mechanism, influence: np.ndarray[Any, Any]) 
         model=law_model(robot),
         work_names=WORK if uses_model else (),
     )
+
+
+def _write(block: b.Block, to: Written) -> object:
+    """Write the code of a block and return what it says about its memory."""
+    made = b.filter_of(block)
+    if made is None:
+        return BLOCK_CODE[type(block)](block, to)
+    memory_blocks.filtered(block, made, to)
+    return None
 
 
 def _late(diagram: b.Diagram) -> int:

@@ -7,19 +7,16 @@ import numpy as np
 
 from ropsim.blockdiagram import DOES_NOT_FIT, DiagramError, read_diagram
 from ropsim.controller.diagrams.diagram_law import diagram_law
-from ropsim.controller.diagrams.own_module import made_by_module, syntax_finding
 from ropsim.controller.law import CompiledLaw, PythonLaw
 from ropsim.controller.law_diagnostics import (
     GAINS_OF_ANOTHER_LAW,
-    MODULE_FAILS,
     GainError,
-    LawError,
 )
+from ropsim.controller.own_modules.module_diagnostics import JOINT_CONTROLLER, MODULE_FAILS, ModuleError
+from ropsim.controller.own_modules.own_module import made_by_module, syntax_finding
 from ropsim.core import Diagnostic, RopsimError, SourceText
-from ropsim.model import ControllerModel, LawFile, Mechanism
+from ropsim.model import ControllerFile, ControllerModel, Mechanism
 
-ENTRY = "joint_controller"
-"""Function of a module that makes its law: `joint_controller(robot, controller)`."""
 _ROUNDING = 1e-9
 """Difference of two periods over one of them that does not count."""
 
@@ -30,26 +27,27 @@ def law_of_file(model: ControllerModel, robot: Mechanism) -> CompiledLaw | Pytho
     Raises:
         GainError: C604, the controller names no file.
         DiagramError: C621 to C626, the block diagram is wrong or does not fit.
-        LawError: C602, C628, C629: the law does not fit, or its module is not trusted or fails.
+        LawError: C602, the block that is to hold the arm has no influence on an axis.
+        ModuleError: C628, C629: its module is not trusted or fails.
     """
     file = model.gains
-    if not isinstance(file, LawFile):
+    if not isinstance(file, ControllerFile):
         message = f"law `{model.kind.value}` takes the file of a law"
-        raise GainError(GAINS_OF_ANOTHER_LAW.at(None, message, hint="give the gains as LawFile"))
+        raise GainError(GAINS_OF_ANOTHER_LAW.at(None, message, hint="give the gains as ControllerFile"))
     if not file.is_code:
         return _diagram_law(file, model.rates.control_period, robot)
-    made = made_by_module(file, ENTRY, robot, model)
+    made = made_by_module(file, JOINT_CONTROLLER, robot, model)
     if isinstance(made, CompiledLaw):
         return made
     if not (hasattr(made, "traits") and callable(getattr(made, "step", None))):
-        message = f"`{ENTRY}` of `{file.path}` returns {type(made).__name__}"
+        message = f"`{JOINT_CONTROLLER}` of `{file.path}` returns {type(made).__name__}"
         hint = "allowed are a CompiledLaw, and an object with `traits` and `step`"
-        raise LawError(MODULE_FAILS.at(None, message, hint=hint))
+        raise ModuleError(MODULE_FAILS.at(None, message, hint=hint))
     return cast("PythonLaw", made)
 
 
 def law_file_findings(
-    file: LawFile, text: SourceText, model: ControllerModel, robot: Mechanism
+    file: ControllerFile, text: SourceText, model: ControllerModel, robot: Mechanism
 ) -> tuple[Diagnostic, ...]:
     """Return the findings in the file of a law; a module is read and not run.
 
@@ -73,7 +71,7 @@ def law_file_findings(
 
 
 @lru_cache(maxsize=16)
-def _diagram_law(file: LawFile, period: float, robot: Mechanism) -> CompiledLaw:
+def _diagram_law(file: ControllerFile, period: float, robot: Mechanism) -> CompiledLaw:
     read = read_diagram(SourceText(file.path, file.text))
     if read.diagram is None:
         raise DiagramError(next(one for one in read.findings if one.is_error))

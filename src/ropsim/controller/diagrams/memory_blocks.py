@@ -47,9 +47,8 @@ def _steady(A: Array, B: Array) -> Array:
     return np.asarray(np.linalg.solve(whole, B))
 
 
-def filtered(block: b.TransferFunction | b.Notch, to: Written) -> None:
-    """Write a filter in its transposed second direct form."""
-    made = b.filter_of(block)
+def filtered(block: b.Block, made: b.Filter, to: Written) -> None:
+    """Write a filter of each element in its transposed second direct form."""
     (inputs,), order = to.inputs(block), made.order
     for y, u in zip(to.results(block), inputs, strict=True):
         first = to.memory(order)
@@ -74,7 +73,7 @@ def filtered(block: b.TransferFunction | b.Notch, to: Written) -> None:
 
 
 def integrator(block: b.Integrator, to: Written) -> None:
-    """Write y(k+1) = y(k) + T·factor·u(k); returns nothing where the factor is 0."""
+    """Write y(k+1) = y(k) + T·factor·u(k); an element whose factor is 0 stays as it starts."""
     (inputs,), results = to.inputs(block), to.results(block)
     size = len(results)
     factors, initial = spread(block.factors, size), spread(block.initial, size)

@@ -1,25 +1,16 @@
 """Code of blocks with the model of the arm: torques of a motion, inputs of the amplifiers."""
 
-from functools import lru_cache
-
 import numpy as np
 
 from ropsim import blockdiagram as b
-from ropsim.codegen import SourceFunction, Tracer, emit
+from ropsim.codegen import SourceFunction
 from ropsim.controller.diagrams.written import Written
-from ropsim.dynamics import (
-    ArmStructure,
-    split_numbers,
-    steady_drive,
-    structure_of,
-    trace_loaded_inverse,
-    with_rigid_gears,
-)
+from ropsim.controller.law_model import inverse_function
+from ropsim.dynamics import steady_drive, structure_of, with_rigid_gears
 from ropsim.model import Mechanism
 
 WORK = ("coordinate", "speed", "acceleration", "motor_speed", "effort")
 """Rows in which the model of the arm takes a motion and returns its efforts."""
-_LOAD = 10
 
 
 def model_feed_forward(block: b.ModelFeedForward, to: Written) -> None:
@@ -33,25 +24,13 @@ def model_feed_forward(block: b.ModelFeedForward, to: Written) -> None:
         inputs = [*inputs, inputs[1]]
     for row, elements in enumerate(inputs):
         to.outputs += [f"work[{row}, {k}] = {one}" for k, one in enumerate(elements)]
-    to.outputs.append("motion_efforts(model, work.reshape(-1), load)")
+    to.outputs.append("motion_efforts(model, work[0], work[1], work[2], work[3], load, work[4])")
     to.outputs += [f"{y} = work[4, {k}]" for k, y in enumerate(to.results(block))]
 
 
 def motion_efforts(robot: Mechanism) -> SourceFunction:
-    """Return `motion_efforts(model, work, load)` of an arm; `WORK` names the rows of `work`."""
-    return _motion_efforts(structure_of(with_rigid_gears(robot)))
-
-
-@lru_cache(maxsize=16)
-def _motion_efforts(structure: ArmStructure) -> SourceFunction:
-    tracer, n = Tracer(), structure.n
-    zero = tracer.constant(0.0)
-    numbers = [tracer.variable(f"model[{k}]") if there else zero for k, there in enumerate(structure.present)]
-    q, qd, qdd, motor = ([tracer.variable(f"work[{row * n + k}]") for k in range(n)] for row in range(4))
-    arm, load = split_numbers(structure, numbers), tracer.variables("load", _LOAD)
-    tau = trace_loaded_inverse(tracer, structure, arm, (q, qd, qdd), load, (motor, qdd))
-    results = [(f"work[{4 * n + k}]", one) for k, one in enumerate(tau)]
-    return emit("motion_efforts", ("model", "work", "load"), results)
+    """Return `motion_efforts` of an arm: model, the rows of `WORK` but the last, load, and that last row."""
+    return inverse_function("motion_efforts", WORK[:4], structure_of(with_rigid_gears(robot)))
 
 
 def drive_command(block: b.DriveCommand, to: Written, robot: Mechanism) -> None:

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ropsim.core import frozen_dataclass
 from ropsim.model import DistanceSensor, ForceSensor, ForceTorqueSensor, Sensor, WrenchFrame
 from ropsim.planning import SensedCell
 from ropsim.spatial import Array, Pose, cross
@@ -18,7 +19,7 @@ def measure(sensor: Sensor, cell: SensedCell) -> float:
         sensor: at the tool of an arm.
         cell: present arms and surfaces.
     """
-    return MEASURES[type(sensor)](sensor, cell)
+    return MEASURES[type(sensor)].measure(sensor, cell)
 
 
 def is_on(sensor: Sensor, reading: float) -> bool:
@@ -28,7 +29,7 @@ def is_on(sensor: Sensor, reading: float) -> bool:
         sensor: of the signal.
         reading: measured quantity.
     """
-    return reading < sensor.range if isinstance(sensor, DistanceSensor) else reading > 0.0
+    return MEASURES[type(sensor)].is_on(sensor, reading)
 
 
 def _distance(sensor: DistanceSensor, cell: SensedCell) -> float:
@@ -75,9 +76,31 @@ def _free(station: str, behind: float, most: float, cell: SensedCell) -> float:
     return found - behind if found < math.inf else math.inf
 
 
-MEASURES: dict[type, Callable[[Any, SensedCell], float]] = {
-    DistanceSensor: _distance,
-    ForceSensor: _force,
-    ForceTorqueSensor: _force_torque,
+def _in_range(sensor: DistanceSensor, reading: float) -> bool:
+    return reading < sensor.range
+
+
+def _pressed(sensor: ForceSensor | ForceTorqueSensor, reading: float) -> bool:
+    del sensor
+    return reading > 0.0
+
+
+@frozen_dataclass
+class Measuring:
+    """How a kind of sensor measures.
+
+    Attributes:
+        measure: returns the measured quantity.
+        is_on: whether its switch is on at a measured quantity; cell files give `force torque` no switch.
+    """
+
+    measure: Callable[[Any, SensedCell], float]
+    is_on: Callable[[Any, float], bool]
+
+
+MEASURES: dict[type, Measuring] = {
+    DistanceSensor: Measuring(_distance, _in_range),
+    ForceSensor: Measuring(_force, _pressed),
+    ForceTorqueSensor: Measuring(_force_torque, _pressed),
 }
-"""Kind of sensor -> measuring function."""
+"""Every kind of sensor; another one is a record, an entry here, and one of `KINDS` in `cellfile`."""

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import Any, cast
 
-from ropsim.controller import MODULE_FAILS, LawError, made_by_module
+from ropsim.controller import MODULE_FAILS, ModuleError, made_by_module
 from ropsim.model import Cell, Entity, OwnEntity, Station
 from ropsim.planning import MotionChain, SensorInterface, standard_chain
 
@@ -24,7 +24,7 @@ def station_chain(cell: Cell, station: Station) -> MotionChain:
     which returns one in place of the standard one.
 
     Raises:
-        LawError: C628, C629: a module is not trusted, fails, or makes something else.
+        ModuleError: C628, C629: a module is not trusted, fails, or makes something else.
     """
     chain = standard_chain(cell, station)
     for own in station.controller.entities:
@@ -49,5 +49,5 @@ def _made(own: OwnEntity, method: str, standard: object, cell: Cell, station: St
     if not callable(getattr(made, method, None)):
         message = f"`{entry}` of `{own.file.path}` returns {type(made).__name__}"
         hint = f"allowed is an object with the method `{method}`; see docs/how-to/own-planner.md"
-        raise LawError(MODULE_FAILS.at(None, message, hint=hint))
+        raise ModuleError(MODULE_FAILS.at(None, message, hint=hint))
     return made

@@ -7,11 +7,11 @@ import numpy as np
 from ropsim.controller import CompiledLaw, PythonLaw
 from ropsim.flow import AxisFacts, AxisType, IntegrationFacts, StationFacts
 from ropsim.model import (
+    ControllerFile,
     ControllerModel,
     CurrentLoopMotor,
     Drive,
     JointType,
-    LawFile,
     RobotModel,
     ThermalDcMotor,
 )
@@ -55,7 +55,7 @@ def with_law(
     """Return a station with the name of its joint controller; None is the law of the controller model."""
     if law is None:
         file = controller.gains
-        return replace(station, law=file.path if isinstance(file, LawFile) else controller.kind.value)
+        return replace(station, law=file.path if isinstance(file, ControllerFile) else controller.kind.value)
     return replace(station, law=law.name if isinstance(law, CompiledLaw) else type(law).__name__)
 
 

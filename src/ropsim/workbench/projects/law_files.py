@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ropsim.cellfile import controller_key_in_cell_file
 from ropsim.core import Diagnostic, SourceText, frozen_dataclass
-from ropsim.model import Cell, ControllerModel, LawFile, ProjectModule, Station
+from ropsim.model import Cell, ControllerFile, ControllerModel, ProjectModule, Station
 from ropsim.userfiles import Trust, trust_in
 from ropsim.workbench.projects.imported_modules import imported_modules
 from ropsim.workbench.robots.robot_files import TextOf
@@ -58,21 +58,21 @@ def with_law_files(folder: Path, cell: Cell, cell_text: SourceText, text_of: Tex
                     modules = tuple(ProjectModule(path, one.text) for path, one in imported.items())
                     read, found = replace(read, modules=modules), (*found, *problems)
                 stations[name] = _with_file(stations[name], keys, read)
-                found = (*found, *_findings(read, text, stations[name]))
+                found = (*found, *_findings(keys, read, text, stations[name]))
             findings += [one if one.span is not None else replace(one, span=place) for one in found]
     made = replace(cell, stations=stations) if texts else cell
     return WithLaws(made, texts, tuple(dict.fromkeys(findings)))
 
 
-def _files(controller: ControllerModel) -> dict[tuple[str, ...], LawFile]:
+def _files(controller: ControllerModel) -> dict[tuple[str, ...], ControllerFile]:
     """Return the files of a controller, by the keys that name them."""
-    files: dict[tuple[str, ...], LawFile] = {}
-    if isinstance(controller.gains, LawFile):
+    files: dict[tuple[str, ...], ControllerFile] = {}
+    if isinstance(controller.gains, ControllerFile):
         files["file",] = controller.gains
     return files | {("entities", one.entity.value): one.file for one in controller.entities}
 
 
-def _with_file(station: Station, keys: tuple[str, ...], file: LawFile) -> Station:
+def _with_file(station: Station, keys: tuple[str, ...], file: ControllerFile) -> Station:
     controller = station.controller
     if keys == ("file",):
         return replace(station, controller=replace(controller, gains=file))
@@ -82,8 +82,15 @@ def _with_file(station: Station, keys: tuple[str, ...], file: LawFile) -> Statio
     return replace(station, controller=replace(controller, entities=tuple(entities)))
 
 
-def _findings(file: LawFile, text: SourceText, station: Station) -> tuple[Diagnostic, ...]:
-    from ropsim.controller import law_file_findings, untrusted  # it generates code, which few projects need
+def _findings(
+    keys: tuple[str, ...], file: ControllerFile, text: SourceText, station: Station
+) -> tuple[Diagnostic, ...]:
+    from ropsim.controller import (  # it generates code, which few projects need
+        JOINT_CONTROLLER,
+        law_file_findings,
+        untrusted,
+    )
 
     found = law_file_findings(file, text, station.controller, station.robot)
-    return (*found, untrusted(file)) if file.is_code and not file.is_trusted else found
+    entry = JOINT_CONTROLLER if keys == ("file",) else keys[-1]
+    return (*found, untrusted(file, entry)) if file.is_code and not file.is_trusted else found

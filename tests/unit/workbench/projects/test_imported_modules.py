@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from ropsim.controller import LawError
+from ropsim.controller import ModuleError
 from ropsim.core import Diagnostic
-from ropsim.model import LawFile
+from ropsim.model import ControllerFile
 from ropsim.simulation import Fidelity, RunOptions
 from ropsim.userfiles import Trust, set_trust
 from ropsim.workbench import Project, ProjectError, open_project
@@ -69,7 +69,7 @@ def errors(opened: Project) -> list[Diagnostic]:
     return [one for one in opened.compile().diagnostics if one.is_error]
 
 
-def file_of(opened: Project) -> LawFile:
+def file_of(opened: Project) -> ControllerFile:
     assert opened.cell is not None
     return opened.cell.first.controller.entities[0].file
 
@@ -162,5 +162,5 @@ def test_a_mistake_in_an_imported_file_is_found_there(tmp_path: Path) -> None:
     assert found.span is not None
     assert (Path(found.span.source).name, found.span.line) == ("helpers.py", 2)
     fails = project(tmp_path / "b", {**helped(1.0), "controllers/helpers.py": "\n\nSHARE = 1 / 0\n"})
-    with pytest.raises(LawError, match=r"`controllers/helpers.py`, line 3 fails: ZeroDivisionError"):
+    with pytest.raises(ModuleError, match=r"`controllers/helpers.py`, line 3 fails: ZeroDivisionError"):
         duration(fails)

@@ -7,10 +7,10 @@ import pytest
 
 from ropsim.blockdiagram import Axes, CascadeGains, Limits, OutputKind, cascade, write_diagram
 from ropsim.cli.main import main
-from ropsim.controller import LawError
+from ropsim.controller import ModuleError
 from ropsim.core import Diagnostic
 from ropsim.flow import MoveEvent
-from ropsim.model import JointType, LawFile
+from ropsim.model import ControllerFile, JointType
 from ropsim.robotfile import write_robot_file
 from ropsim.robots import STANDARD_RATES, load, standard_gains
 from ropsim.simulation import Fidelity, RunOptions
@@ -176,7 +176,7 @@ def test_a_cell_names_its_module_and_the_text_that_counts_is_the_unsaved_one(fol
     project = open_overlaid(folder, {"cell.toml": cell, "controllers/other.p21": DIAGRAM})
     assert project.cell is not None
     file = project.cell.first.controller.gains
-    assert isinstance(file, LawFile)
+    assert isinstance(file, ControllerFile)
     assert (file.path, file.text) == ("controllers/other.p21", DIAGRAM)
 
 
@@ -304,6 +304,7 @@ def test_entities_of_a_trusted_project_take_the_place_of_the_built_in_ones(folde
     (folder / "cell.toml").write_text(ENTITIES, "utf-8")
     found = errors(open_project(folder))
     assert {one.code for one in found} == {"C628"}
+    assert any("makes the path planner and is not run" in one.message for one in found)
     lines = {one.message.split("`")[1]: one.span.line for one in found if one.span is not None}
     assert lines["controllers/weaving.py"] == 5
     assert lines["controllers/slow.py"] == 6
@@ -329,7 +330,7 @@ def test_entities_of_a_trusted_project_take_the_place_of_the_built_in_ones(folde
     [
         ("def path_planner(standard, cell, station):\n    return 3\n", "returns int"),
         ("def planner():\n    return 3\n", "defines no function `path_planner`"),
-        ("import none_such\n", "line 1 fails: ModuleNotFoundError"),
+        ("import none_such\n", "path planner: `controllers/slow.py`, line 1 fails: ModuleNotFoundError"),
     ],
 )
 def test_an_entity_that_cannot_be_made_is_a_finding(folder: Path, text: str, words: str) -> None:
@@ -337,7 +338,7 @@ def test_an_entity_that_cannot_be_made_is_a_finding(folder: Path, text: str, wor
     (folder / "cell.toml").write_text(cell, "utf-8")
     (folder / "controllers" / "slow.py").write_text(text, "utf-8")
     set_trust(folder, Trust.GIVEN)
-    with pytest.raises(LawError, match=words) as refused:
+    with pytest.raises(ModuleError, match=words) as refused:
         open_project(folder).simulate()
     assert refused.value.diagnostic.code == "C629"
 

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropsim.controller.correction import Correction, CorrectionRange
+from ropsim.controller.corrections.correction import Correction, CorrectionRange
 from ropsim.kinematics import forward, forward_batch, frame_and_jacobian
 from ropsim.model import CorrectionLimits, RobotModel
 from ropsim.spatial import Array, Pose, cross, record

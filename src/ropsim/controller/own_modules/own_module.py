@@ -2,13 +2,19 @@
 
 from traceback import extract_tb
 
-from ropsim.controller.diagrams.module_loading import ModuleLoading
-from ropsim.controller.law_diagnostics import MODULE_FAILS, MODULE_NOT_TRUSTED, LawError
+from ropsim.controller.own_modules.module_diagnostics import (
+    MODULE_FAILS,
+    ModuleError,
+    entity_page,
+    entity_words,
+    untrusted,
+)
+from ropsim.controller.own_modules.module_loading import ModuleLoading
 from ropsim.core import Diagnostic, RopsimError, SourceText
-from ropsim.model import LawFile
+from ropsim.model import ControllerFile
 
 
-def made_by_module(file: LawFile, entry: str, *arguments: object) -> object:
+def made_by_module(file: ControllerFile, entry: str, *arguments: object) -> object:
     """Return the result of a function of a module of the project; it and its imports are run anew.
 
     Args:
@@ -17,33 +23,26 @@ def made_by_module(file: LawFile, entry: str, *arguments: object) -> object:
         arguments: of the function.
 
     Raises:
-        LawError: C628, the project is not trusted; C629, the module or its function fails.
+        ModuleError: C628, the project is not trusted; C629, the module or its function fails.
     """
     if not file.is_trusted:
-        raise LawError(untrusted(file))
+        raise ModuleError(untrusted(file, entry))
     loading = ModuleLoading(file)
     try:
         module = loading.module(file.path)
     except (Exception, SystemExit) as error:  # any exception of a user's code is reported
-        raise LawError(_failure(loading, file, error)) from error
+        raise ModuleError(_failure(loading, file, entry, error)) from error
     function = getattr(module, entry, None)
     if not callable(function):
         message = f"`{file.path}` defines no function `{entry}`"
-        raise LawError(MODULE_FAILS.at(None, message, hint="see docs/how-to/own-controller.md"))
+        raise ModuleError(MODULE_FAILS.at(None, message, hint=entity_page(entry)))
     try:
         made: object = function(*arguments)
     except RopsimError:
         raise
     except (Exception, SystemExit) as error:  # any exception of a user's code is reported
-        raise LawError(_failure(loading, file, error)) from error
+        raise ModuleError(_failure(loading, file, entry, error)) from error
     return made
-
-
-def untrusted(file: LawFile) -> Diagnostic:
-    """Return the finding that a module stays inert."""
-    message = f"`{file.path}` is code of the project and is not run: the folder is not trusted"
-    hint = "`ropsim trust PATH` lets it run, if you know where it comes from"
-    return MODULE_NOT_TRUSTED.at(None, message, hint=hint)
 
 
 def syntax_finding(text: SourceText) -> Diagnostic | None:
@@ -58,7 +57,7 @@ def syntax_finding(text: SourceText) -> Diagnostic | None:
     return None
 
 
-def _failure(loading: ModuleLoading, file: LawFile, error: BaseException) -> Diagnostic:
+def _failure(loading: ModuleLoading, file: ControllerFile, entry: str, error: BaseException) -> Diagnostic:
     """Return the finding that code of a module fails, with the line of it or of the one that it imports."""
     lines = [one.strip() for one in str(error).splitlines() if one.strip()]
     words = f"{type(error).__name__}: {lines[0]}" if lines else type(error).__name__
@@ -69,4 +68,5 @@ def _failure(loading: ModuleLoading, file: LawFile, error: BaseException) -> Dia
         places.append((error.filename or file.path, error.lineno))
     path, line = places[-1] if places else (file.path, None)
     where = f", line {line}" if line else ""
-    return MODULE_FAILS.at(None, f"`{path}`{where} fails: {words}", hint="see docs/how-to/own-controller.md")
+    message = f"{entity_words(entry)}: `{path}`{where} fails: {words}"
+    return MODULE_FAILS.at(None, message, hint=entity_page(entry))

@@ -1,4 +1,4 @@
-"""The file of a joint controller that a cell file names."""
+"""The files that a cell file names for the entities of a controller."""
 
 from dataclasses import replace
 from pathlib import PurePosixPath
@@ -8,10 +8,10 @@ from ropsim.core import LeadsOutError, check_stated, outside_project
 from ropsim.model import (
     DIAGRAM_ENDINGS,
     MODULE_ENDING,
+    ControllerFile,
     ControllerKind,
     ControllerModel,
     Entity,
-    LawFile,
     NamedEntity,
     OriginKind,
     OwnEntity,
@@ -48,7 +48,9 @@ def with_law_file(table: TomlTable, controller: ControllerModel) -> ControllerMo
         return controller
     others = tuple(one for one in controller.origins if one.parameters != _GAINS)
     origin = ParameterOrigin("joint controller", OriginKind.DERIVED, f"the law in `{path}`")
-    return replace(controller, kind=ControllerKind.FILE, gains=LawFile(path), origins=(origin, *others))
+    return replace(
+        controller, kind=ControllerKind.FILE, gains=ControllerFile(path), origins=(origin, *others)
+    )
 
 
 def read_entities(table: TomlTable) -> tuple[tuple[OwnEntity, ...], tuple[NamedEntity, ...]]:
@@ -64,7 +66,7 @@ def read_entities(table: TomlTable) -> tuple[tuple[OwnEntity, ...], tuple[NamedE
             chosen.append(NamedEntity(entity, table.text(entity.value, "")))
         elif entity.value in table:
             path = _path(table, entity.value, (MODULE_ENDING,), words)
-            own += [OwnEntity(entity, LawFile(path))] if path else []
+            own += [OwnEntity(entity, ControllerFile(path))] if path else []
         table.ask(entity.value, Question(Sort.TEXT, likely=words))
     table.finish()
     return tuple(own), tuple(chosen)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ropsim.controller.correction_room import ShiftedJoints
+from ropsim.controller.corrections.correction_room import ShiftedJoints
 from ropsim.flow import JointReference
 from ropsim.model import RobotModel
 from ropsim.planning import PLANNED_ACCELERATION, PLANNED_SPEED

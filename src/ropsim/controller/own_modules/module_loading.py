@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import PurePosixPath
 from types import ModuleType
 
-from ropsim.model import LawFile, file_at, import_folders
+from ropsim.model import ControllerFile, file_at, import_folders
 
 _NAME = "project_module"
 
@@ -22,7 +22,7 @@ class ModuleLoading:
 
     __slots__ = ("_made", "_texts")
 
-    def __init__(self, file: LawFile) -> None:
+    def __init__(self, file: ControllerFile) -> None:
         self._texts = {file.path: file.text, **{one.path: one.text for one in file.modules}}
         self._made: dict[str, ModuleType] = {}
 

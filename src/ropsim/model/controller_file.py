@@ -1,4 +1,4 @@
-"""The file of a project that holds the law of a joint controller."""
+"""A file of a project that an entity of the controller comes from."""
 
 from pathlib import PurePosixPath
 from typing import ClassVar
@@ -14,8 +14,11 @@ MODULE_ENDING = ".py"
 
 
 @frozen_dataclass
-class LawFile:
-    """The law of a joint controller in a file of the project; it takes the place of gains.
+class ControllerFile:
+    """A file of the project that an entity of the controller comes from.
+
+    For the joint controller, whose law then has no gains, it is a module or a block diagram; for every other
+    entity it is a module.
 
     Attributes:
         path: of the file in the project.

@@ -1,0 +1,1 @@
+"""Modules in Python of a project, which make entities of the controller."""
