@@ -25,7 +25,7 @@ class SensorErrors:
         noise: standard deviation.
         period: between two samples [s]; 0 for each control tick.
         delay: [s].
-        most: greatest size of a reading to either side.
+        most: greatest size of a reading to either side; a distance has its own range.
     """
 
     RANGES: ClassVar[Ranges] = {
