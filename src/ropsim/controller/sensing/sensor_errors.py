@@ -11,7 +11,7 @@ from zlib import crc32
 from ropsim.codegen import Engine, SourceFunction, load
 from ropsim.controller.sensing.measuring import measure
 from ropsim.core import frozen_dataclass
-from ropsim.model import DistanceSensor, Sensor
+from ropsim.model import DistanceSensor, Sensor, reading_range
 from ropsim.planning import SensedCell
 
 _TEXT = """\
@@ -77,14 +77,6 @@ def read_sensor(channel: str, sensor: Sensor, cell: SensedCell) -> Reading:
 
 def _within(value: float, sensor: Sensor) -> float:
     """Return a measured value within the range, in whole steps; where none ends at the range, at that."""
-    least, most = _ends(sensor)
+    least, most = reading_range(sensor)
     step, within = sensor.errors.step, min(max(value, least), most)
     return min(max(math.floor(within / step + 0.5) * step, least), most) if step else within
-
-
-def _ends(sensor: Sensor) -> tuple[float, float]:
-    """Return the least and the greatest reading of a sensor."""
-    if isinstance(sensor, DistanceSensor):
-        return -sensor.behind, sensor.range
-    most = sensor.errors.most or math.inf
-    return -most, most
