@@ -251,8 +251,8 @@ ROUNDED_RATE = define(
     "the control rate is no whole multiple of the rate of a sensor",
     """
 A sensor takes its samples a whole number of control ticks apart: at 1 kHz with 1000, 500, 333.3 or 250 Hz.
-The run has the rate of the nearest whole number, which the finding names. Sensors of the joint controller
-(`[controller.sensors]`) are rounded in the same way, without a finding.
+The run has the rate of the nearest whole number, which the finding names; sensors at tools and those of
+`[controller.sensors]` alike.
 
 ```toml
 [signals.force_z]

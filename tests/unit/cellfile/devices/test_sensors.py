@@ -124,3 +124,11 @@ def test_a_rate_that_is_rounded_is_told_with_the_one_in_force(rate: str, told: s
 def test_a_rate_at_whole_control_ticks_is_not_told(rate: str) -> None:
     keys = f'input = 1\nsensor = {{ kind = "distance", rate = {rate} }}'
     assert not read_cell(SourceText("cell.toml", HEAD + keys), "c")[1]
+
+
+def test_a_rounded_rate_of_a_joint_sensor_is_told_too() -> None:
+    text = '[robot]\nmodel = "puma560"\n\n[controller.sensors]\ncoordinate = { rate = %d }\n'
+    for rate, codes in ((400, ["X933"]), (500, [])):
+        cell, findings = read_cell(SourceText("cell.toml", text % rate), "c")
+        assert cell is not None
+        assert [one.code for one in findings] == codes
