@@ -243,3 +243,22 @@ stiffness = 200   # N/mm
 ```
 """,
 )
+
+ROUNDED_RATE = define(
+    "X933",
+    "rate-rounded",
+    Severity.WARNING,
+    "the control rate is no whole multiple of the rate of a sensor",
+    """
+A sensor takes its samples a whole number of control ticks apart: at 1 kHz with 1000, 500, 333.3 or 250 Hz.
+The run has the rate of the nearest whole number, which the finding names; sensors at tools and those of
+`[controller.sensors]` alike.
+
+```toml
+[signals.force_z]
+input = 13
+analog = true
+sensor = { kind = "force torque", axis = "z", rate = 400 }   # X933: 500 Hz at control_hz = 1000
+```
+""",
+)

@@ -2,12 +2,14 @@
 
 import math
 
+from ropsim.cellfile.diagnostics import ROUNDED_RATE
 from ropsim.core import frozen_dataclass
 from ropsim.model import SensorErrors
 from ropsim.tomltext import TIME, Quantity, TomlTable
 
 MOST_BITS = 52
 MOST_RATE = 1e6  # [Hz]
+_SAME_RATE = 5e-4
 _DELAY = TIME.within(0.0, 1.0)
 
 
@@ -33,6 +35,24 @@ def read_timing(table: TomlTable, most_rate: float = MOST_RATE) -> SensorTiming:
     """
     rate = table.number("rate", Quantity("Hz", 1.0, 1.0, most_rate), 0.0)
     return SensorTiming(1.0 / rate if rate else 0.0, table.number("delay", _DELAY, 0.0))
+
+
+def note_rounded(table: TomlTable, period: float, control_hz: float) -> None:
+    """Note a rate that the control rate is no whole multiple of (X933).
+
+    Args:
+        table: of the sensor.
+        period: between two samples [s]; 0 for each control tick.
+        control_hz: control ticks per second of its station.
+    """
+    ticks = max(1, round(period * control_hz))
+    if period and abs(period * control_hz / ticks - 1.0) > _SAME_RATE:
+        message = (
+            f"`{table.name_of('rate')}` is {1.0 / period:.6g} Hz, the run has {control_hz / ticks:.6g} Hz: "
+            f"samples are {ticks} of the {control_hz:g} control ticks a second apart"
+        )
+        hint = f"write `rate = {control_hz / ticks:.6g}`"
+        table.findings.add(ROUNDED_RATE, table.value_span("rate"), message, hint)
 
 
 def read_bits(table: TomlTable) -> int:

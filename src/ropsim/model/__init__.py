@@ -58,6 +58,7 @@ from ropsim.model.cell.signal import SensorErrors as SensorErrors
 from ropsim.model.cell.signal import Signal as Signal
 from ropsim.model.cell.signal import WrenchAxis as WrenchAxis
 from ropsim.model.cell.signal import WrenchFrame as WrenchFrame
+from ropsim.model.cell.signal import reading_range as reading_range
 from ropsim.model.cell.station import Station as Station
 from ropsim.model.cell.surroundings import FixedObject as FixedObject
 from ropsim.model.cell.surroundings import Sink as Sink

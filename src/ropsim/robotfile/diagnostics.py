@@ -64,11 +64,11 @@ WRONG_RATIO = define(
     "X905",
     "ratio-of-nought",
     Severity.ERROR,
-    "a gear ratio is 0",
+    "a gear ratio, or the lead of a screw, is 0 or next to it",
     """
 The `ratio` of a drive is the motor's angle over the coordinate of the joint: radians per radian, and
 radians per metre for sliding joints. It may be negative, where the motor turns the other way, and cannot be
-0.
+0, nor smaller than 10⁻⁶; the `lead` of a ball screw is 10⁻⁵ m or more for a turn, to either side.
 """,
 )
 

@@ -48,7 +48,9 @@ _FROM_ZERO = NUMBER.within(0.0, 1e9)
 _PLAY = NUMBER.within(0.0, 1.0)
 _ANGLE = NUMBER.within(-100.0, 100.0)
 _RATIO = NUMBER.within(-1e6, 1e6)
+_LEAST_RATIO = 1e-6
 _LEAD = NUMBER.within(-10.0, 10.0)
+_LEAST_LEAD = 1e-5  # [m]
 _EFFICIENCY = NUMBER.within(0.01, 1.0)
 _SCREW = ("efficiency", "back_efficiency", "screw_inertia")
 _OF_GEARS = ("ratio", "stiffness", "damping", "backlash")
@@ -224,8 +226,10 @@ def _transmission(table: TomlTable) -> Transmission:
     if table.values.keys() & {"lead", *_SCREW}:
         return _screw(table)
     ratio = table.number("ratio", _RATIO, 1.0)
-    if ratio == 0.0:
-        message = f"`{table.name_of('ratio')}` is 0, allowed is any other number"
+    if abs(ratio) < _LEAST_RATIO:
+        message = (
+            f"`{table.name_of('ratio')}` is {ratio:g}, allowed is from {_LEAST_RATIO:g} on to either side"
+        )
         table.findings.add(kinds.WRONG_RATIO, table.value_span("ratio"), message, "1 is a direct drive")
         ratio = 1.0
     if "stiffness" not in table:
@@ -247,8 +251,10 @@ def _screw(table: TomlTable) -> BallScrew:
         table.findings.add(CONFLICTING_KEYS, table.key_span(other), message, hint)
         table.asked.update(dict.fromkeys(_OF_GEARS))
     turn = table.number("lead", _LEAD, 1.0)
-    if turn == 0.0:
-        message = f"`{table.name_of('lead')}` is 0, allowed is any other number"
+    if abs(turn) < _LEAST_LEAD:
+        message = (
+            f"`{table.name_of('lead')}` is {turn:g}, allowed is from {_LEAST_LEAD:g} m on to either side"
+        )
         table.findings.add(kinds.WRONG_RATIO, table.value_span("lead"), message, "in m for a whole turn")
         turn = 1.0
     efficiency = table.number("efficiency", _EFFICIENCY, 1.0)

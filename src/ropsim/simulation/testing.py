@@ -86,6 +86,7 @@ from ropsim.simulation.state.inputs import with_inputs as with_inputs
 from ropsim.simulation.state.past_values import PastValues as PastValues
 from ropsim.simulation.state.past_values import memory_of as memory_of
 from ropsim.simulation.state.past_values import memory_ticks as memory_ticks
+from ropsim.simulation.state.touching import touching_of as touching_of
 from ropsim.simulation.station.kinematic_plant import KinematicPlant as KinematicPlant
 from ropsim.simulation.station.sequences import MOST_AHEAD as MOST_AHEAD
 from ropsim.simulation.station.sequences import MOST_MOVES as MOST_MOVES
@@ -93,6 +94,8 @@ from ropsim.simulation.station.sequences import ProgramSequence as ProgramSequen
 from ropsim.simulation.station.sequences import gather as gather
 from ropsim.simulation.station.sequences import why_it_ends as why_it_ends
 from ropsim.simulation.station.settle import SPEED_TIME as SPEED_TIME
+from ropsim.simulation.station.shapes_at_once import COVERED as COVERED
+from ropsim.simulation.station.shapes_at_once import shapes_at_once as shapes_at_once
 from ropsim.simulation.station.start import start_run as start_run
 from ropsim.simulation.waiting.setters import BOTH as BOTH
 from ropsim.simulation.waiting.setters import levels_set as levels_set

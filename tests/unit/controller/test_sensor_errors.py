@@ -156,6 +156,15 @@ def test_a_sensor_is_at_the_end_of_its_range_to_both_sides() -> None:
     assert x.min() == -2.0
 
 
+@pytest.mark.parametrize("errors", [{"noise": 0.3}, {"step": 0.6}, {"step": 0.07, "noise": 0.3}])
+def test_a_distance_is_read_within_its_range(errors: dict[str, float]) -> None:
+    """From 0.94 m on all is in range; noise goes beyond both ends, and no whole step ends there."""
+    sensor = DistanceSensor("", 0.95, 0.05, SensorErrors(**errors))
+    found = readings(sensor, range(1200, 20_000, 50))
+    assert found.max() == 0.95
+    assert found.min() == (-0.05 if "noise" in errors else 0.0)
+
+
 def test_an_exact_sensor_is_asked_once_and_now() -> None:
     cell = Falling(40)
     signal = Signal("s", is_input=True, analog=True, sensor=DistanceSensor("", 2.0))

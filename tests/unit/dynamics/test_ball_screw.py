@@ -187,6 +187,7 @@ def test_files_keep_a_screw() -> None:
     ("old", "new", "words"),
     [
         ("lead = 0.01", "lead = 0", "`drives.lead` is 0"),
+        ("lead = 0.01", "lead = 1e-300", "`drives.lead` is 1e-300, allowed is from 1e-05 m on"),
         ("lead = 0.01", "lead = 0.01\nratio = 5", "belong to two kinds of transmissions"),
         ("efficiency = 0.9\nback_efficiency = 0.85", "efficiency = 0.4", "back_efficiency"),
         ("efficiency = 0.9", "efficiency = 1.4", "efficiency"),

@@ -337,6 +337,7 @@ mass = 200
         ("carrier_pin = [0.26, -1.04, 0]", "carrier_pin = [0.26, -1.04]", "carrier_pin"),
         ("leakage = 3e-12", "null_flow = 5e-4", "the rated flow is 0.0004"),
         ("leakage = 3e-12", "overlap = 0.95", "0.9"),
+        ("natural_frequency = 300", "natural_frequency = 1e-9", "0.1 to 1e+06"),
     ],
 )
 def test_what_is_wrong_in_the_row_of_a_cylinder_is_told_alone(before: str, after: str, word: str) -> None:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Mapping
 
 from ropsim.cellfile.diagnostics import FORCE_WITHOUT_CONTACT
-from ropsim.cellfile.sensor_keys import read_errors
+from ropsim.cellfile.sensor_keys import note_rounded, read_errors
 from ropsim.core import frozen_dataclass
 from ropsim.model import (
     Cell,
@@ -51,7 +51,9 @@ class SensorTable:
 
         Where these are not finite the key `range` is needed for `bits`.
         """
-        return read_errors(self.table, quantity, (least, most), self.most_rate)
+        found = read_errors(self.table, quantity, (least, most), self.most_rate)
+        note_rounded(self.table, found.period, self.most_rate)
+        return found
 
     def forces(self, quantity: Quantity) -> SensorErrors:
         """Return the same for a quantity of both signs, whose `range` is that to either side."""

@@ -205,7 +205,7 @@ def _controller(
 ) -> ControllerModel:
     windows = [quantity.within(_NARROWEST, _WIDEST) for quantity in _coordinates(model, units)]
     controller = _with_stated_law(table, controller, model)
-    sensors = read_sensors(table.table("sensors"), model, units)
+    sensors = read_sensors(table.table("sensors"), model, units, controller.rates)
     words = [sensor_words(sensors)] if sensors.sensors else []
     measured = tuple(ParameterOrigin("sensors", OriginKind.DERIVED, one) for one in words)
     own, built_in = read_entities(table.table("entities"))

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from ropsim.cellfile.sensor_keys import read_bits, read_timing
+from ropsim.cellfile.sensor_keys import note_rounded, read_bits, read_timing
 from ropsim.dynamics import chain_of
-from ropsim.model import MEASURED, JointSensor, JointSensors, JointType, RobotModel
+from ropsim.model import MEASURED, JointSensor, JointSensors, JointType, Rates, RobotModel
 from ropsim.spatial import Array
 from ropsim.tomltext import NUMBER, Quantity, TomlTable, Units
 
@@ -16,17 +16,20 @@ _NUMBER = NUMBER.within(0.0, 1e12)
 _TURN = 2.0 * math.pi
 
 
-def read_sensors(table: TomlTable, model: RobotModel, units: Units) -> JointSensors:
+def read_sensors(table: TomlTable, model: RobotModel, units: Units, rates: Rates) -> JointSensors:
     """Return the sensors of a section, in SI units.
 
     Args:
         table: `[controller.sensors]`, or a stand-in.
         model: of the arm.
         units: of the file.
+        rates: of the controller.
     """
     seed = table.integer("seed", 0, _MOST_SEED, 0)
     given = {name: table.table(name) for name, rows in MEASURED.items() if _is_there(model, rows)}
     sensors = tuple(_sensor(one, name, model, units) for name, one in given.items() if one.present)
+    for one in sensors:
+        note_rounded(given[one.quantity], one.period, rates.control_hz)
     table.finish()
     return JointSensors(sensors, seed)
 

@@ -11,7 +11,7 @@ from zlib import crc32
 from ropsim.codegen import Engine, SourceFunction, load
 from ropsim.controller.sensing.measuring import measure
 from ropsim.core import frozen_dataclass
-from ropsim.model import DistanceSensor, Sensor, SensorErrors
+from ropsim.model import DistanceSensor, Sensor, reading_range
 from ropsim.planning import SensedCell
 
 _TEXT = """\
@@ -66,16 +66,17 @@ def read_sensor(channel: str, sensor: Sensor, cell: SensedCell) -> Reading:
     """
     errors = sensor.errors
     if not (errors.period or errors.delay or errors.noise):
-        return Reading(_within(measure(sensor, cell), errors), 0.0)
+        return Reading(_within(measure(sensor, cell), sensor), 0.0)
     then = cell.before(sensor.station, errors.period, errors.delay)
     value = measure(sensor, then.cell)
     sees_nothing = isinstance(sensor, DistanceSensor) and value >= sensor.range
     if errors.noise and not sees_nothing:
         value += errors.noise * noise(then.seed, crc32(channel.encode()), then.tick)
-    return Reading(_within(value, errors), then.age)
+    return Reading(_within(value, sensor), then.age)
 
 
-def _within(value: float, errors: SensorErrors) -> float:
-    """Return a measured value within the range, in whole steps."""
-    within = min(max(value, -errors.most), errors.most) if errors.most else value
-    return math.floor(within / errors.step + 0.5) * errors.step if errors.step else within
+def _within(value: float, sensor: Sensor) -> float:
+    """Return a measured value within the range, in whole steps; where none ends at the range, at that."""
+    least, most = reading_range(sensor)
+    step, within = sensor.errors.step, min(max(value, least), most)
+    return min(max(math.floor(within / step + 0.5) * step, least), most) if step else within

@@ -1,5 +1,6 @@
 """Signals, and sensors at the tools of arms that drive some of them."""
 
+import math
 from enum import Enum
 from typing import ClassVar
 
@@ -25,7 +26,7 @@ class SensorErrors:
         noise: standard deviation.
         period: between two samples [s]; 0 for each control tick.
         delay: [s].
-        most: greatest size of a reading to either side.
+        most: greatest size of a reading to either side; a distance has its own range.
     """
 
     RANGES: ClassVar[Ranges] = {
@@ -166,6 +167,14 @@ class ForceTorqueSensor:
 Sensor = DistanceSensor | ForceSensor | ForceTorqueSensor
 """Every kind of sensor supported by a cell file; each defines the measured quantity of an analog reading, its
 SI unit, the station at whose tool it is, and its errors."""
+
+
+def reading_range(sensor: Sensor) -> tuple[float, float]:
+    """Return the least and the greatest reading of a sensor, infinite without a range [SI]."""
+    if isinstance(sensor, DistanceSensor):
+        return -sensor.behind, sensor.range
+    most = sensor.errors.most or math.inf
+    return -most, most
 
 
 @frozen_dataclass

@@ -14,6 +14,8 @@ VALVE_NEEDED = (
 )
 _FROM_ZERO = NUMBER.within(0.0, 1e9)
 _POSITIVE = NUMBER.within(1e-9, 1e9)
+_FREQUENCY = NUMBER.within(0.1, 1e6)  # [rad/s]
+_DAMPING_RATIO = NUMBER.within(1e-3, 1e3)
 _MOST_OVERLAP = 0.9
 _MOST_RETURN = 0.99
 """Share of the supply pressure that the return may have at the most: at all of it nothing moves."""
@@ -21,11 +23,12 @@ _MOST_RETURN = 0.99
 
 def read_valve(table: TomlTable) -> dict[str, float]:
     """Return the common data of hydraulic motors and cylinders, by the names of their attributes."""
-    valve = {key: table.number(key, HYDRAULIC, 1.0) for key in VALVE_NEEDED}
+    ranges = dict.fromkeys(VALVE_NEEDED, HYDRAULIC) | {"natural_frequency": _FREQUENCY}
+    valve = {key: table.number(key, ranges[key], 1.0) for key in VALVE_NEEDED}
     return {
         "leakage": table.number("leakage", _FROM_ZERO, 0.0),
         "return_pressure": _return_pressure(table, valve["supply_pressure"]),
-        "damping_ratio": table.number("damping_ratio", _POSITIVE, 0.7),
+        "damping_ratio": table.number("damping_ratio", _DAMPING_RATIO, 0.7),
         "oil_density": table.number("oil_density", _POSITIVE, 870.0),
         "null_flow": _null_flow(table, valve["rated_flow"]),
         "overlap": table.number("overlap", NUMBER.within(0.0, _MOST_OVERLAP), 0.0),

@@ -26,6 +26,12 @@ The force of a contact is held over a control tick T, as the output of the joint
 the pose half a tick ahead, so that stiffness k and damping c act on a mass m as a damper of c + k·T/2. Such a
 held damper brings the mass to rest while c + k·T/2 < 2·m/T, and throws it back harder than it came beyond.
 
+Stiffness and damping are those of a pair of convex shapes, and a tool or what it is pressed on may consist of
+several: the condition is n·(c + k·T/2) < 2·m/T for n pairs at once. Counted are all shapes of the tool, each
+with all shapes that it can touch at once as they stand at the start, and 1.4 for a shape that a face can
+cover as a whole. This is an upper bound: where fewer touch, the warning may come too early. Draw what is
+pressed as one shape, or divide `stiffness` and `damping` by the number that carries.
+
 The mass is what the tool centre point resists to a force in its lightest direction, with rotors and gears, at
 the start and in the rest position. Lower `stiffness` or `damping` of the contact, or raise `control_hz`.
 """,

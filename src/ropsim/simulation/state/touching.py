@@ -199,7 +199,7 @@ def touching_of(cell: Cell, station: str) -> Touching | None:
     if not cell.contacts:
         return None
     tree = body_tree(cell)
-    declared = [(one, _own(cell, one, station)) for one in cell.contacts]
+    declared = [(one, own_bodies(cell, one, station)) for one in cell.contacts]
     pairs = [
         TouchingPair(moving, standing, ContactLaw(one.stiffness, one.damping, one.friction))
         for one, own in declared
@@ -211,7 +211,7 @@ def touching_of(cell: Cell, station: str) -> Touching | None:
         return None
     pressing = frozenset(one.moving for one in pairs)
     resisting = frozenset(one.standing for one in pairs)
-    solids = _solids(tree, pressing | resisting)
+    solids = solids_of(tree, pressing | resisting)
     pairs = [
         one for one in pairs if one.moving in solids and (one.standing in solids or one.standing == FLOOR)
     ]
@@ -220,15 +220,26 @@ def touching_of(cell: Cell, station: str) -> Touching | None:
     return Touching(station, pressing, resisting, ContactPairs(solids, pairs, floor), extent)
 
 
-def _own(cell: Cell, contact: MeantContact, station: str) -> tuple[str, ...]:
-    """Return the bodies of a contact that a station may press on others: its tool, or any part."""
+def own_bodies(cell: Cell, contact: MeantContact, station: str) -> tuple[str, ...]:
+    """Return the bodies of a contact that a station may press on others: its tool, or any part.
+
+    Args:
+        cell: with its contacts.
+        contact: one of them.
+        station: its name.
+    """
     body = tool_body(contact.moving, station)
     bodies = pressing_bodies(cell, contact)
     return tuple(one for one in bodies if one in (body, contact.moving) or one.startswith(f"{body}/"))
 
 
-def _solids(tree: BodyTree, names: frozenset[str]) -> dict[str, tuple[Convex, ...]]:
-    """Return the convex bodies of bodies that have some, by name."""
+def solids_of(tree: BodyTree, names: frozenset[str]) -> dict[str, tuple[Convex, ...]]:
+    """Return the convex bodies of bodies that have some, by name.
+
+    Args:
+        tree: with the bodies.
+        names: of those that count.
+    """
     found = {
         body.name: tuple(one for shape in body.shapes for one in convexes(shape))
         for body in tree.bodies

@@ -10,6 +10,7 @@ from ropsim.flow import Fidelity
 from ropsim.kinematics import jacobian_at
 from ropsim.model import ROBOT, Cell, MeantContact, Payload, Station, Tool, combine
 from ropsim.simulation.servo.diagnostics import STIFF_CONTACT
+from ropsim.simulation.station.shapes_at_once import shapes_at_once
 from ropsim.spatial import Pose
 
 
@@ -30,8 +31,9 @@ def stiff_findings(cell: Cell, fidelity: Fidelity) -> Iterator[Diagnostic]:
             period = station.controller.rates.control_period
             mass = felt_mass(station, tool)
             damper, most = contact.damping + 0.5 * contact.stiffness * period, 2.0 * mass / period
-            if damper >= most:
-                yield _finding(contact, station, mass, damper / most)
+            count = shapes_at_once(cell, contact, station)
+            if count * damper >= most:
+                yield _finding(contact, station, (mass, count), count * damper / most)
 
 
 def felt_mass(station: Station, tool: Tool) -> float:
@@ -61,14 +63,17 @@ def _tool(station: Station, contact: MeantContact) -> Tool | None:
     return station.tools.get(station.default_tool)
 
 
-def _finding(contact: MeantContact, station: Station, mass: float, ratio: float) -> Diagnostic:
+def _finding(contact: MeantContact, station: Station, on: tuple[float, float], ratio: float) -> Diagnostic:
+    """Return the finding of a contact on a mass [kg], with so many pairs of shapes at once."""
+    mass, count = on
+    each = f", for as much as {count:.3g} pairs of shapes that may touch at once," if count > 1.0 else ""
     where = "" if station.name == ROBOT else f" at station `{station.name}`"
     hz = station.controller.rates.control_hz
     return STIFF_CONTACT.at(
         None,
         f"contact `{contact.name}`{where}: {contact.stiffness / 1e3:.6g} N/mm with damping "
-        f"{contact.damping / 1e3:.3g} N·s/mm at {hz} Hz acts on {mass:.3g} kg; "
-        f"(c + k·T/2)·T/2m is {ratio:.3g}, allowed is less than 1",
+        f"{contact.damping / 1e3:.3g} N·s/mm{each} at {hz} Hz acts on {mass:.3g} kg; "
+        f"{'n·' if each else ''}(c + k·T/2)·T/2m is {ratio:.3g}, allowed is less than 1",
         hint=f"lower `stiffness` and `damping` by {1.5 * ratio:.2g}, or raise `control_hz`",
-        data={"contact": contact.name, "station": station.name, "mass_kg": mass},
+        data={"contact": contact.name, "station": station.name, "mass_kg": mass, "pairs": count},
     )

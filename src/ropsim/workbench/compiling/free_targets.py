@@ -14,6 +14,7 @@ from ropsim.workbench.compiling.compiled_project import CompiledProgram, found_a
 from ropsim.workbench.compiling.dry_arm import program_arm
 from ropsim.workbench.compiling.environment import environment_of
 from ropsim.workbench.compiling.line_moves import dry_runs
+from ropsim.workbench.compiling.sensed_thresholds import thresholds
 
 NEEDS_FREE = define(
     "X931",
@@ -46,11 +47,14 @@ def may_need_free(station: Station) -> bool:
 def targets_found_in(
     cell: Cell | None, programs: Mapping[str, Mapping[str, CompiledProgram]]
 ) -> tuple[Diagnostic, ...]:
-    """Return the findings of `free_targets` in programs without errors, by name and station."""
+    """Return the findings of `free_targets` and `thresholds` in programs without errors."""
     found = list[Diagnostic]()
     for stations in programs.values() if cell is not None else ():
         each = {
-            name: free_targets(one.icr, cell, cell.stations[name])
+            name: (
+                *free_targets(one.icr, cell, cell.stations[name]),
+                *thresholds(one.icr, cell, cell.stations[name]),
+            )
             for name, one in stations.items()
             if cell is not None
             and name in cell.stations

@@ -20,6 +20,7 @@ from ropsim.workbench.compiling.at_station import AtStation, unbound
 from ropsim.workbench.compiling.compiled_project import CheckedText, CompiledProgram
 from ropsim.workbench.compiling.environment import environment_of
 from ropsim.workbench.compiling.free_targets import free_targets, may_need_free
+from ropsim.workbench.compiling.sensed_thresholds import thresholds
 from ropsim.workbench.tasks.declared_tasks import declared_tasks
 from ropsim.workbench.tasks.point_texts import NO_POINTS, PointTexts, ReadTable, read_table, taken_names
 from ropsim.workbench.tasks.task_texts import NO_TASKS, TaskEngine, TaskTexts
@@ -328,14 +329,16 @@ def compiled(db: Database, name: str, at: AtStation) -> CompiledProgram:
 
 
 def free_findings(db: Database, name: str, at: AtStation) -> tuple[Diagnostic, ...]:
-    """Return the targets of a program without errors that its arm reaches only with free orientation."""
+    """Return targets that need `free`, and conditions beyond ranges, of a program without errors."""
     found, station = _station(db, at)
-    if found is None or not may_need_free(station or found.first):
+    sensed = found is not None and any(one.sensor is not None for one in found.signals.values())
+    if found is None or not (sensed or may_need_free(station or found.first)):
         return ()
     one = db.ask(compiled, name, at)
     if one.code is None or any(finding.is_error for finding in one.diagnostics):
         return ()
-    return free_targets(one.code.program, found, station or found.first)
+    code, by = one.code.program, station or found.first
+    return (*free_targets(code, found, by), *thresholds(code, found, by))
 
 
 def code_id(db: Database, name: str, at: AtStation) -> str:

@@ -109,3 +109,26 @@ def test_a_sensor_of_contacts_in_a_cell_without_any_is_told(keys: str, codes: li
     cell, findings = read_cell(SourceText("cell.toml", text), "c")
     assert cell is not None
     assert [one.code for one in findings] == codes
+
+
+@pytest.mark.parametrize(("rate", "told"), [("400", "500 Hz"), ("700", "1000 Hz"), ("999", "1000 Hz")])
+def test_a_rate_that_is_rounded_is_told_with_the_one_in_force(rate: str, told: str) -> None:
+    keys = f'input = 1\nanalog = true\nsensor = {{ kind = "distance", rate = {rate} }}'
+    cell, findings = read_cell(SourceText("cell.toml", HEAD + keys), "c")
+    assert cell is not None
+    found = [one.message for one in findings if one.code == "X933"]
+    assert [f"the run has {told}" in one for one in found] == [True]
+
+
+@pytest.mark.parametrize("rate", ["500", "333.333", "333.3", "1000", "20"])
+def test_a_rate_at_whole_control_ticks_is_not_told(rate: str) -> None:
+    keys = f'input = 1\nsensor = {{ kind = "distance", rate = {rate} }}'
+    assert not read_cell(SourceText("cell.toml", HEAD + keys), "c")[1]
+
+
+def test_a_rounded_rate_of_a_joint_sensor_is_told_too() -> None:
+    text = '[robot]\nmodel = "puma560"\n\n[controller.sensors]\ncoordinate = { rate = %d }\n'
+    for rate, codes in ((400, ["X933"]), (500, [])):
+        cell, findings = read_cell(SourceText("cell.toml", text % rate), "c")
+        assert cell is not None
+        assert [one.code for one in findings] == codes
