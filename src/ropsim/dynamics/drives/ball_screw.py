@@ -40,7 +40,7 @@ def share_passed(screw: BallScrew, effort: float, speed: float) -> float:
 
     Args:
         screw: with its efficiencies.
-        effort: at the nut [N]. Without any its oscillations turn it to and fro: then the larger share, with
+        effort: at the nut [N]. Without any its oscillations turn it both ways: then the larger share, with
             which a loop has its largest gain, is taken.
         speed: of the nut [m/s].
     """
