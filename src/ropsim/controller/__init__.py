@@ -40,6 +40,7 @@ from ropsim.controller.motion_clock import advance as advance
 from ropsim.controller.motion_clock import undisturbed as undisturbed
 from ropsim.controller.rehearsal import failed as failed
 from ropsim.controller.rehearsal import rehearse as rehearse
+from ropsim.controller.rehearsal import step_failed as step_failed
 from ropsim.controller.rehearsal import stopped as stopped
 from ropsim.controller.sensing.sensor_errors import NOISE as NOISE
 from ropsim.controller.sensing.sensor_errors import noise as noise
