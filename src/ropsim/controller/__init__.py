@@ -26,6 +26,7 @@ from ropsim.controller.law_code import law_code as law_code
 from ropsim.controller.law_code import law_functions as law_functions
 from ropsim.controller.law_diagnostics import LAW_DOES_NOT_FIT as LAW_DOES_NOT_FIT
 from ropsim.controller.law_diagnostics import MODULE_FAILS as MODULE_FAILS
+from ropsim.controller.law_diagnostics import MODULE_NOT_TRUSTED as MODULE_NOT_TRUSTED
 from ropsim.controller.law_diagnostics import GainError as GainError
 from ropsim.controller.law_diagnostics import LawError as LawError
 from ropsim.controller.law_model import LawModel as LawModel

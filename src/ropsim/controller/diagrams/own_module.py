@@ -43,7 +43,7 @@ def untrusted(file: LawFile) -> Diagnostic:
     """Return the finding that a module stays inert."""
     message = f"`{file.path}` is code of the project and is not run: the folder is not trusted"
     hint = "`ropsim trust PATH` lets it run, if you know where it comes from"
-    return MODULE_NOT_TRUSTED.at(None, message, hint=hint)
+    return MODULE_NOT_TRUSTED.at(None, message, hint=hint, data={"file": file.path})
 
 
 def syntax_finding(text: SourceText) -> Diagnostic | None:
