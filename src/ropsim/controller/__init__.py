@@ -39,12 +39,14 @@ from ropsim.controller.motion_clock import advance as advance
 from ropsim.controller.motion_clock import undisturbed as undisturbed
 from ropsim.controller.own_modules.module_diagnostics import JOINT_CONTROLLER as JOINT_CONTROLLER
 from ropsim.controller.own_modules.module_diagnostics import MODULE_FAILS as MODULE_FAILS
+from ropsim.controller.own_modules.module_diagnostics import MODULE_NOT_TRUSTED as MODULE_NOT_TRUSTED
 from ropsim.controller.own_modules.module_diagnostics import ModuleError as ModuleError
 from ropsim.controller.own_modules.module_diagnostics import untrusted as untrusted
 from ropsim.controller.own_modules.own_module import made_by_module as made_by_module
 from ropsim.controller.own_modules.own_module import syntax_finding as syntax_finding
 from ropsim.controller.rehearsal import failed as failed
 from ropsim.controller.rehearsal import rehearse as rehearse
+from ropsim.controller.rehearsal import step_failed as step_failed
 from ropsim.controller.rehearsal import stopped as stopped
 from ropsim.controller.sensing.sensor_errors import NOISE as NOISE
 from ropsim.controller.sensing.sensor_errors import noise as noise

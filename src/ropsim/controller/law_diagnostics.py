@@ -1,6 +1,6 @@
 """Errors in the data of a joint controller."""
 
-from ropsim.core import RopsimError, Severity, define
+from ropsim.core import Category, RopsimError, Severity, define
 
 GAIN_COUNT = define(
     "C600",
@@ -52,7 +52,11 @@ A compiled law is the source of `law`, whose arguments have names: `out`, and of
 `meas`, `sensed`, `drive`, `model`, `work`, `load`, `aux` those that it needs. It may use `math`, loops and
 arithmetic on these arrays. `par` has the shape of the parameters, `state` one row for each name in
 `traits.state_names`, `ref` and `meas` three rows, `out` one number per joint.
+
+A law that is a Python object has `traits` and `step(now, state)`; the message says at what time it failed.
+A law that fails while it runs ends the run there, so that the cycle time is not that of the program.
 """,
+    Category.UNFINISHED,
 )
 
 LAW_DOES_NOT_FIT = define(

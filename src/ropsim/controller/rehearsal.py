@@ -7,7 +7,7 @@ from traceback import extract_tb
 
 import numpy as np
 
-from ropsim.controller.law import CompiledLaw
+from ropsim.controller.law import CompiledLaw, PythonLaw
 from ropsim.controller.law_code import ARGUMENTS, in_python, law_arrays, law_code
 from ropsim.controller.law_diagnostics import LAW_FAILS, LawError
 from ropsim.spatial import Array
@@ -37,13 +37,13 @@ def rehearse(law: CompiledLaw, n: int) -> None:
     except KeyError:
         raise _fails(law, "its source defines no function `law`") from None
     except Exception as error:  # any exception of a user's source is reported
-        raise _fails(law, f"its source is no Python: {_description(law, error)}") from error
+        raise _fails(law, f"its source is no Python: {_description(law.source, error)}") from error
     arrays = law_arrays(law, n)
     try:
         with np.errstate(all="ignore"):
             function(arrays)
     except Exception as error:  # any exception of a user's source is reported
-        raise _fails(law, f"at rest it stops with {_description(law, error)}") from error
+        raise _fails(law, f"at rest it stops with {_description(law.source, error)}") from error
     out = arrays["out"]
     if not np.isfinite(out).all():
         raise _fails(law, f"at rest it puts out `{out.tolist()}`; every number must be finite")
@@ -51,7 +51,7 @@ def rehearse(law: CompiledLaw, n: int) -> None:
 
 def failed(law: CompiledLaw, error: Exception) -> LawError:
     """Return the error of a law that stopped while it ran, or that cannot be compiled."""
-    return _fails(law, _description(law, error))
+    return _fails(law, _description(law.source, error))
 
 
 def stopped(law: CompiledLaw, error: Exception, arrays: Mapping[str, Array]) -> LawError:
@@ -70,19 +70,26 @@ def stopped(law: CompiledLaw, error: Exception, arrays: Mapping[str, Array]) -> 
     return failed(law, error)
 
 
+def step_failed(law: PythonLaw, error: Exception, time: float) -> LawError:
+    """Return the error of a law in Python whose `step` raised an exception at a time [s]."""
+    message = f"law `{type(law).__name__}` fails at t = {time:.6g} s: {_description('', error)}"
+    hint = "`step(now, state)` returns an input for each amplifier; see docs/how-to/own-controller.md"
+    return LawError(LAW_FAILS.at(None, message, hint=hint, data={"time_s": time}))
+
+
 def _fails(law: CompiledLaw, found: str) -> LawError:
     hint = "`law(par, state, ref, meas, load, aux, out)`, or some by name; see docs/how-to/own-controller.md"
     return LawError(LAW_FAILS.at(None, f"law `{law.name}` fails: {found}", hint=hint))
 
 
-def _description(law: CompiledLaw, error: Exception) -> str:
+def _description(text_of_law: str, error: Exception) -> str:
     """Return the kind of an error, what it says first, and the line of the law where it was raised."""
     text = str(error)
     lines = [line.strip() for line in text.splitlines() if line.strip()]
     said = [line for line in lines if not line.startswith(_COMPILING)] or lines
     description = f"{type(error).__name__}: {said[0]}" if said else type(error).__name__
     line = _line_of(error, text)
-    source = law.source.splitlines()
+    source = text_of_law.splitlines()
     if line is not None and 0 < line <= len(source):
         return f"{description} (line {line}, `{source[line - 1].strip()}`)"
     frames = extract_tb(error.__traceback__)

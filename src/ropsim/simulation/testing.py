@@ -15,8 +15,12 @@ from ropsim.simulation.devices.table import DRIVINGS as DRIVINGS
 from ropsim.simulation.diagnostics.part_diagnostics import NOT_AT_DESTINATION as NOT_AT_DESTINATION
 from ropsim.simulation.diagnostics.part_diagnostics import NOTHING_GRASPED as NOTHING_GRASPED
 from ropsim.simulation.diagnostics.part_diagnostics import RELEASED_IN_THE_AIR as RELEASED_IN_THE_AIR
+from ropsim.simulation.findings.circumstances import Circumstances as Circumstances
+from ropsim.simulation.findings.circumstances import contact_words as contact_words
+from ropsim.simulation.findings.circumstances import loop_words as loop_words
 from ropsim.simulation.findings.consequences import with_causes as with_causes
 from ropsim.simulation.findings.finished_station import FinishedStation as FinishedStation
+from ropsim.simulation.findings.finished_station import PressedOn as PressedOn
 from ropsim.simulation.findings.load_findings import load_findings as load_findings
 from ropsim.simulation.findings.settling import settling_findings as settling_findings
 from ropsim.simulation.findings.slow_lines import slow_lines as slow_lines

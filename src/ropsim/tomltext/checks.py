@@ -203,8 +203,15 @@ class TomlTable:
             return default
         return value
 
-    def choice(self, key: str, allowed: Sequence[str], default: str) -> str:
-        """Return one of the words `allowed`."""
+    def choice(self, key: str, allowed: Sequence[str], default: str, other: str = "") -> str:
+        """Return one of the words `allowed`.
+
+        Args:
+            key: of the table.
+            allowed: words.
+            default: where the key is absent or wrong.
+            other: hint where no allowed word is near.
+        """
         value = self.text(key, default)
         self.ask(key, Question(Sort.TEXT, default=default, choices=tuple(allowed)))
         if value in allowed or not isinstance(self.values.get(key, value), str):
@@ -212,7 +219,7 @@ class TomlTable:
         words = ", ".join(f"`{word}`" for word in allowed)
         message = f"`{self.name_of(key)}` is `{cut(value)}`, allowed are {words}"
         close = near(value, allowed, limit=1)
-        hint = f"did you mean `{close[0]}`?" if close else ""
+        hint = f"did you mean `{close[0]}`?" if close else other
         self.findings.add(kinds.UNKNOWN_CHOICE, self.value_span(key), message, hint)
         return default
 

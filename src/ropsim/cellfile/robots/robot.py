@@ -263,7 +263,12 @@ def _with_stated_law(table: TomlTable, controller: ControllerModel, model: Robot
     standard, fixed = LAW_WORDS[controller.kind], LAW_WORDS[ControllerKind.CASCADED_P_PI]
     own = set(gain_names(controller.gains)) - set(GAIN_NAMES)
     belongs = any(name in table for name in GAIN_NAMES) and not any(name in table for name in own)
-    law = table.choice("law", list(kinds), fixed if belongs and fixed in kinds else standard)
+    law = table.choice(
+        "law",
+        list(kinds),
+        fixed if belongs and fixed in kinds else standard,
+        "a law of your own is in a file: `file = ...`",
+    )
     if law == standard or law not in kinds:
         return controller
     return robots.controller_under(model, controller.rates, kinds[law])

@@ -50,7 +50,7 @@ def tuning_text(tuned: Tuned, style: Style) -> str:
     hz, has_rule = tuned.controller.rates.control_hz, _has_rule(tuned)
     damping = "gains of its rule, by bandwidth" if has_rule else "present gains"
     if math.isfinite(tuned.damping) and has_rule:
-        damping = f"damping {tuned.damping:.3g}"
+        damping = f"gains by the rule for a damping of {tuned.damping:.3g}"
     title = f"{robot.title or robot.name}: {law} at {hz} Hz, {damping}"
     sections = [
         [
@@ -209,6 +209,8 @@ def _slowest(tuned: Tuned, style: Style) -> list[str]:
         f"{tuned.loads[one.load]}, {_place_words(tuned, one.place)}"
         for word, one in zip(("least", "most"), ends, strict=True)
     ]
+    if math.isfinite(tuned.damping) and _has_rule(tuned):
+        lines.append("its damping is that of arm, drives, sensors and law together, not the one of the rule")
     return [*lines, *_map(tuned, style)]
 
 

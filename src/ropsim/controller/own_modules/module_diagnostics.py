@@ -50,7 +50,7 @@ def untrusted(file: ControllerFile, entry: str) -> Diagnostic:
     """
     message = f"`{file.path}` makes the {entity_words(entry)} and is not run: the folder is not trusted"
     hint = "`ropsim trust PATH` lets it run, if you know where it comes from"
-    return MODULE_NOT_TRUSTED.at(None, message, hint=hint)
+    return MODULE_NOT_TRUSTED.at(None, message, hint=hint, data={"file": file.path})
 
 
 def entity_words(entry: str) -> str:

@@ -1,9 +1,11 @@
 """Checks of the joint samples along a path of the tool: limits, and obstacles of the joints."""
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from ropsim.core import Diagnostic
-from ropsim.flow import MoveInstruction, PoseSetpoints
+from ropsim.flow import MotionKind, MoveInstruction, PoseSetpoints
 from ropsim.kinematics import IkOptions, IkStatus, inverse, jacobian, singular_distances
 from ropsim.model import RobotModel
 from ropsim.motion import (
@@ -27,6 +29,9 @@ _LEFT = {
     IkStatus.OUT_OF_TASK_SPACE: (OUT_OF_TASK_SPACE, "the poses that this arm can take"),
     IkStatus.NOT_FOUND: (POSE_NOT_FOUND, "the poses for which joint coordinates were found"),
 }
+
+
+_NOUNS: Mapping[str, str] = {MotionKind.LIN: "line", MotionKind.CIRC: "arc", MotionKind.SPLINE: "curve"}
 
 
 @record
@@ -59,6 +64,11 @@ class Line:
         rows[:, list(self.robot.external)] = self.setpoints.external
         return rows
 
+    @property
+    def noun(self) -> str:
+        """Return the word for the path in messages: a line, an arc, a curve, or a path of another kind."""
+        return _NOUNS.get(self.move.kind, "path")
+
     def held_at(self, row: int) -> Array:
         """Return coordinates with external ones from setpoint `row`, shape (n,)."""
         return self.q_start if self.setpoints.external is None else self.held[row]
@@ -90,7 +100,7 @@ def lost(line: Line, found: Follow, matrices: Array) -> Diagnostic:
         x, y, z = (1e3 * X_BT[:3, 3]).tolist()
         return kind.at(
             span,
-            f"the line leaves {left} at {share:.0%} of the way, "
+            f"the {line.noun} leaves {left} at {share:.0%} of the way, "
             f"with the TCP at ({x:.1f}, {y:.1f}, {z:.1f}) mm in the base frame",
             label=label,
             notes=(
@@ -98,7 +108,7 @@ def lost(line: Line, found: Follow, matrices: Array) -> Diagnostic:
                 *external_notes(robot, here),
             ),
             hint=(kind is OUT_OF_TASK_SPACE and free_hint(robot, line.X_MT, X_BT[:3, 3], q))
-            or "shift the line, or use `mov` where the path does not matter",
+            or f"shift the {line.noun}, or use `mov` where the path does not matter",
             data=data,
         )
     return JUMP_ON_LINE.at(
@@ -106,7 +116,7 @@ def lost(line: Line, found: Follow, matrices: Array) -> Diagnostic:
         f"the joints would have to jump at {share:.0%} of the way",
         label=label,
         notes=singularity_notes(robot, q),
-        hint="turn the tool a little, shift the line, or use `mov` for this part",
+        hint=f"turn the tool a little, shift the {line.noun}, or use `mov` for this part",
         data=data,
     )
 
@@ -127,9 +137,9 @@ def limit_refusals(line: Line, q: Array, limits: JointRange) -> tuple[Diagnostic
     finding = JOINT_LIMIT_ON_LINE.at(
         line.move.origin.span,
         f"joint `{joint.name}` passes its limit of {coordinate(joint, limit)} at {share:.0%} of the way, "
-        f"the line needs {coordinate(joint, furthest)}",
+        f"the {line.noun} needs {coordinate(joint, furthest)}",
         label=passes(line.move.origin),
-        hint="start the line in another posture, make it shorter, or use `mov`",
+        hint=f"start the {line.noun} in another posture, make it shorter, or use `mov`",
         data={
             **figures(joint, furthest, limit),
             "share": share,

@@ -61,14 +61,14 @@ def lost_point(line: Line, row: int, answers: PointAnswers) -> Diagnostic:
             move.origin.span,
             f"the joints would have to jump at {share:.0%} of the way",
             label=passes(move.origin),
-            hint="shift the line away from places where the arm is stretched or folded, or use `mov`",
+            hint=f"shift the {line.noun} away from places where the arm is stretched or folded, or use `mov`",
             data=data,
         )
     kind = OUT_OF_TASK_SPACE if _is_off(answers) else OUT_OF_REACH
     x, y, z = (1e3 * line.setpoints.matrices[row, :3, 3]).tolist()
     return kind.at(
         move.origin.span,
-        f"the line leaves the reach of the arm at {share:.0%} of the way, "
+        f"the {line.noun} leaves the reach of the arm at {share:.0%} of the way, "
         f"with the TCP at ({x:.1f}, {y:.1f}, {z:.1f}) mm in the base frame",
         label=passes(move.origin),
         notes=(
@@ -76,7 +76,7 @@ def lost_point(line: Line, row: int, answers: PointAnswers) -> Diagnostic:
             *_partly_off(answers),
             *external_notes(line.robot, line.held_at(row)),
         ),
-        hint="shift the line, or use `mov` where the path does not matter",
+        hint=f"shift the {line.noun}, or use `mov` where the path does not matter",
         data={"distance_m": answers.miss, "beside_m": answers.beside, **data},
     )
 

@@ -19,7 +19,9 @@ def settling_findings(station: FinishedStation) -> tuple[Diagnostic, ...]:
         f"settling after moves takes {settling.total:.2f} s, {settling.share * 100.0:.1f} % of the cycle "
         f"time; moves that settle longer than {SLOW * 1e3:g} ms: {settling.slow}",
         label=f"longest here: {settling.longest:.3f} s, pass {settling.visit}",
-        hint="raise the gains or widen `in_position` in `[controller]` of the cell file",
+        hint=station.circumstances(round(settling.time * station.hz)).hint(
+            "raise the gains or widen `in_position` in `[controller]` of the cell file"
+        ),
         data={
             "settling_s": settling.total,
             "share": settling.share,

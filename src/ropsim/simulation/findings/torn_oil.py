@@ -68,7 +68,9 @@ def torn_oil(station: FinishedStation) -> tuple[Diagnostic, ...]:
                     f"{name.replace('pressure_', 'chamber ')} of joint `{axis}` would have come to "
                     f"{pressure / _BAR:.4g} bar, its oil gives way at {least / _BAR:.4g} bar",
                     label=f"at t = {tick / station.hz:.2f} s",
-                    hint="lower the speed or acceleration here, or give the drive a higher return pressure",
+                    hint=station.circumstances(tick).hint(
+                        "lower the speed or acceleration here, or give the drive a higher return pressure"
+                    ),
                     data={"joint": joint + 1, "value": pressure, "limit": least, "time_s": tick / station.hz},
                 )
             )

@@ -137,6 +137,6 @@ def _finding(station: FinishedStation, check: _Check, at: int, tick: int) -> Dia
         f"{check.quantity} of joint `{robot.axis_joints[joint].name}` reached {value * scale:.4g} {unit}, "
         f"the limit is {limit * scale:.4g} {unit}",
         label=f"at t = {time:.2f} s",
-        hint="lower the speed or acceleration here, or the payload",
+        hint=station.circumstances(tick).hint("lower the speed or acceleration here, or the payload"),
         data={"joint": joint + 1, "value": value, "limit": limit, "time_s": time},
     )

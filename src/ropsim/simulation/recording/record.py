@@ -28,8 +28,9 @@ from ropsim.icr import Program, code_lines, line_contents_of_all, program_id
 from ropsim.kinematics import forward_batch
 from ropsim.motion import SLOWED, Line, enter_distances
 from ropsim.simulation.findings.checks import findings_at, station_findings
+from ropsim.simulation.findings.circumstances import OWN_LAW, loop_words
 from ropsim.simulation.findings.consequences import with_causes
-from ropsim.simulation.findings.finished_station import FinishedStation
+from ropsim.simulation.findings.finished_station import FinishedStation, PressedOn
 from ropsim.simulation.findings.load_findings import has_rated_payloads
 from ropsim.simulation.parts.arrivals import Arrivals, are_untouched, arrivals
 from ropsim.simulation.recording.channels import (
@@ -91,6 +92,8 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
             loads,
             mine,
             _slowed_lines(run, source),
+            OWN_LAW if name in options.laws else loop_words(at.station.robot, at.station.controller),
+            _pressed(run, own, rows * (at.hz / run.hz)),
         )
         if not at.is_lost:
             judged += findings_at(name, programs, station_findings(finished))
@@ -114,6 +117,14 @@ def recording_of(run: CellRun, programs: Mapping[str, Program], options: RunOpti
         _line_contents(run, programs),
     )
     return Recording(time, channels, tuple(events), findings, run.time, facts, tuple(run.placements), content)
+
+
+def _pressed(run: CellRun, channels: Mapping[str, Channel], ticks: Array) -> PressedOn | None:
+    """Return how hard meant contacts pressed on a station, None without any; ticks are those of the rows."""
+    wrench = channels.get(CONTACT_WRENCH)
+    if wrench is None:
+        return None
+    return PressedOn(run.cell, ticks, np.linalg.norm(wrench.values[:, :3], axis=1))
 
 
 def _slowed_lines(run: CellRun, source: str) -> frozenset[int]:

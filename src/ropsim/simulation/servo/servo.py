@@ -11,10 +11,10 @@ from ropsim.controller import (
     LawInput,
     PythonLaw,
     compiled_half,
-    failed,
     joint_law,
     law_arrays,
     law_model,
+    step_failed,
     stopped,
 )
 from ropsim.core import RopsimError
@@ -359,7 +359,7 @@ class Servo:
             except RopsimError:
                 raise
             except Exception as error:  # any exception of a user's code is reported
-                raise failed(self.law, error) from error
+                raise step_failed(law, error, now.time) from error
             self.bench.parameters[0] = check_output(answer, n, before.tick, self.control_hz)
             q, qd, qdd = (array[k : k + 1] for array in reference)
             self._advance(before, (q, qd, qdd), signals[k : k + 1], payload, recorder)

@@ -10,6 +10,7 @@ from ropsim.flow import MoveInstruction
 from ropsim.kinematics import forward
 from ropsim.model import JointType
 from ropsim.simulation.diagnostics.run_diagnostics import FAR_FROM_TARGET, NOT_IN_POSITION
+from ropsim.simulation.findings.circumstances import Circumstances, contact_words, loop_words
 from ropsim.simulation.state.cell_run import CellRun
 from ropsim.simulation.state.station_run import StationRun
 
@@ -39,7 +40,7 @@ def settle(run: CellRun, at: StationRun, move: MoveInstruction) -> Generator[Non
     needed, stood = round(controller.settle_time * at.hz), 0
     while stood < needed or not _is_in_position(at):
         if at.tick - start >= limit:
-            run.findings.append(_not_in_position(at, move))
+            run.findings.append(_not_in_position(run, at, move))
             break
         stood = stood + step if _is_in_position(at) else 0
         yield from at.stand(step)
@@ -67,7 +68,7 @@ def _shares(at: StationRun) -> Iterator[float]:
         yield off / most if most > 0.0 else math.inf if off > 0.0 else 0.0
 
 
-def _not_in_position(at: StationRun, move: MoveInstruction) -> Diagnostic:
+def _not_in_position(run: CellRun, at: StationRun, move: MoveInstruction) -> Diagnostic:
     controller = at.station.controller
     window = controller.in_position
     q, qd = at.plant.sensed
@@ -91,7 +92,10 @@ def _not_in_position(at: StationRun, move: MoveInstruction) -> Diagnostic:
         f"joint `{model.name}` {found} after {controller.settle_timeout:g} s, in position means {means}; "
         f"the tool is {away * 1e3:.3g} mm from its target",
         label=f"pass {move.origin.visit}",
-        hint="slow the move down, or widen `in_position` in the cell file",
+        hint=Circumstances(
+            loop_words(at.station.robot, controller),
+            contact_words(run.cell, float(np.linalg.norm(at.plant.wrench[:3]))),
+        ).hint("slow the move down, or widen `in_position` in the cell file"),
         data={
             **move.origin.data,
             "joint": joint + 1,

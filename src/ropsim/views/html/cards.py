@@ -139,7 +139,8 @@ def _energy_figure(station: StationSummary) -> list[Card]:
     if found is None:
         return [] if station.is_driven else [("energy", UNKNOWN, "without drives")]
     detail = f"drawn, {energy(found.given_back)} given back; at most {power(found.peak.value)}"
-    return [("energy", energy(found.drawn), detail)]
+    bound = f"; {text(found.bound)}" if found.bound else ""
+    return [("energy", energy(found.drawn), detail + bound)]
 
 
 def _contact_figure(station: StationSummary) -> list[Card]:
@@ -169,7 +170,11 @@ def _path_figure(figures: Figures) -> list[Card]:
     if path.worst is None:
         return [(title, UNKNOWN, "without drives")]
     mean = with_unit(path.mean_error, MILLIMETRES, 3)
-    return [(title, with_unit(path.max_error, MILLIMETRES, 3), f"mean {mean}")]
+    detail = f"mean {mean}"
+    if figures.contours:
+        whole = with_unit(max(one.path_max for one in figures.contours), MILLIMETRES, 3)
+        detail += f"; each move against its own part of the path, contours as a whole: max {whole}"
+    return [(title, with_unit(path.max_error, MILLIMETRES, 3), detail)]
 
 
 def _joint_figures(joints: tuple[JointSummary, ...]) -> list[Card]:

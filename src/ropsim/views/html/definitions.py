@@ -28,7 +28,9 @@ DEFINITIONS: Mapping[str, str] = MappingProxyType(
         "what warms the winding to its greatest rise in the end; a model without such a limit has no share.",
         "following error": "Reference minus attained joint coordinate at the same instant; it contains "
         "the delay of the servo.",
-        "path error": "Distance of the attained tool centre point from the path of the tool: "
+        "path error": "Distance of the attained tool centre point from the part of the path that is "
+        "commanded at that moment, so that an arm that comes late past a corner counts as off; contours "
+        "have the distance from the path as a whole. That part is "
         "a line, an arc, a curve or the corner between two of them, its ends included. The largest one "
         "is no path accuracy AT<sub>p</sub> of ISO 9283:1998 (8.2), which is that of the barycentre of ten "
         "cycles.",

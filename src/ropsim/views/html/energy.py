@@ -32,10 +32,12 @@ def energy_section(found: EnergySummary | None, source: SourceText | None, of: s
     """
     if found is None:
         return ""
+    bound = f" <strong>({text(found.bound)})</strong>" if found.bound else ""
     whole = (
         f"<p>{energy(found.drawn)} drawn, {energy(found.given_back)} given back, {energy(found.net)} net; "
         f"{power(found.mean)} on average, at most {power(found.peak.value)} at {seconds(found.peak.time)} s "
-        f"and at least {power(found.least.value)} at {seconds(found.least.time)} s.</p>\n"
+        f"and at least {power(found.least.value)} at {seconds(found.least.time)} s."
+        f"{bound}</p>\n"
     )
     rows = [
         (

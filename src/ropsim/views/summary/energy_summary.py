@@ -16,6 +16,12 @@ from ropsim.views.channels import Peak, StationView
 POWER = "power"
 """Quantity that holds the power that each drive draws [W]."""
 
+_WITH_LOSSES = ("current", "pressure_a", "pressure_b")
+"""Quantities of which a drive has one whose motor loses power: a winding, or chambers of oil."""
+
+LEAST_SHARED = 0.1
+"""Energy drawn from which on shares of it say something [J]: 0.00003 Wh."""
+
 
 @frozen_dataclass
 class LineEnergy:
@@ -54,6 +60,8 @@ class EnergySummary:
         peak: largest power drawn [W].
         least: least power [W], negative where power is given back.
         lines: by source line, the one that draws most first; they sum to the whole.
+        lossless: joints whose drives have a motor without losses, so that only mechanical power counts.
+        joints: how many joints draw power.
     """
 
     drawn: float
@@ -62,6 +70,8 @@ class EnergySummary:
     peak: Peak
     least: Peak
     lines: tuple[LineEnergy, ...]
+    lossless: tuple[str, ...] = ()
+    joints: int = 0
 
     @property
     def net(self) -> float:
@@ -74,8 +84,23 @@ class EnergySummary:
         return self.net / self.duration if self.duration > 0.0 else math.nan
 
     def share(self, line: LineEnergy) -> float:
-        """Return the share of a line in the energy drawn."""
-        return line.drawn / self.drawn if self.drawn > 0.0 else math.nan
+        """Return the share of a line in the energy drawn; NaN where next to nothing was drawn."""
+        return line.drawn / self.drawn if self.has_shares else math.nan
+
+    @property
+    def has_shares(self) -> bool:
+        """Return whether enough is drawn for shares of it, in itself and against what is given back."""
+        return self.drawn > max(LEAST_SHARED, 1e-3 * self.given_back)
+
+    @property
+    def bound(self) -> str:
+        """Return what the figures leave out because motors have no losses; empty where all have some."""
+        if not self.lossless:
+            return ""
+        if len(self.lossless) == self.joints:
+            return "mechanical power only, without losses of the motors"
+        names = ", ".join(self.lossless)
+        return f"of {'joint' if len(self.lossless) == 1 else 'joints'} {names} mechanical power only"
 
 
 def summarize_energy(station: StationView, passes: Mapping[int, int]) -> EnergySummary | None:
@@ -101,7 +126,16 @@ def summarize_energy(station: StationView, passes: Mapping[int, int]) -> EnergyS
         _peak(station, power, peak),
         _peak(station, power, least),
         _lines(np.nan_to_num(line).astype(int), (power, time, drawn, given_back), passes),
+        _lossless(station, powers),
+        int(np.isfinite(powers).any(axis=0).sum()),
     )
+
+
+def _lossless(station: StationView, powers: Array) -> tuple[str, ...]:
+    """Return the joints that draw power and record nothing of a motor that loses some."""
+    loses = [np.isfinite(station.joints(name)).any(axis=0) for name in _WITH_LOSSES]
+    only = np.isfinite(powers).any(axis=0) & ~np.any(loses, axis=0)
+    return tuple(axis.name for axis, found in zip(station.facts.axes, only, strict=True) if found)
 
 
 def both_energies(power: Array, time: Array) -> tuple[Array, Array]:

@@ -35,7 +35,7 @@ def accuracy_lines(figures: Figures, style: Style) -> list[str]:
     if not figures.is_driven:
         return [*_commanded(figures.path, style), *_planned(figures.corners, style)]
     return [
-        *_path(figures.path, style),
+        *_path(figures.path, figures.contours, style),
         *_contours(figures.contours, style),
         *_corners(figures.corners, style),
         *_stops(figures.stops, style),
@@ -80,7 +80,7 @@ def _planned(corners: tuple[CornerFigures, ...], style: Style) -> list[str]:
     return [f"{title}: {WITHOUT_DRIVES}; planned {_ends([one.planned for one in corners])} from the corner"]
 
 
-def _path(path: PathSummary, style: Style) -> list[str]:
+def _path(path: PathSummary, contours: tuple[ContourFigures, ...], style: Style) -> list[str]:
     worst = path.worst
     if worst is None:
         return []
@@ -97,11 +97,20 @@ def _path(path: PathSummary, style: Style) -> list[str]:
         paint(f"path error of tool paths ({plural(len(path.moves), 'move')})", Tone.QUIET, style),
         f"  {figures}",
         f"  worst at t = {seconds(worst.time)} s{place_text(worst.line, worst.visit)}",
+        *_against(contours),
         *_orientation(path),
         *_repeats(path),
         *slow_lines(path),
         *_speeds(path),
     ]
+
+
+def _against(contours: tuple[ContourFigures, ...]) -> list[str]:
+    """Return what the figures above compare, where contours have others."""
+    if not contours:
+        return []
+    whole = with_unit(max(one.path_max for one in contours), MILLIMETRES, 3)
+    return [f"  each move against its own part of the path; contours as a whole: max {whole}"]
 
 
 def _contours(contours: tuple[ContourFigures, ...], style: Style) -> list[str]:

@@ -28,8 +28,12 @@ def energy_lines(station: StationSummary) -> list[str]:
     found = station.energy
     if found is None:
         return [] if station.is_driven else [f"energy       {WITHOUT_DRIVES}"]
-    lines = [f"energy       {_sum(found)}", f"             {_peak(found)}"]
-    if most := [line for line in found.lines if line.line][:SHOWN_LINES]:
+    lines = [f"energy       {_sum(found)}"]
+    if digits(found.peak.value) != "0":
+        lines.append(f"             {_peak(found)}")
+    if found.bound:
+        lines.append(fit(f"             {clean(found.bound)}", COLUMNS))
+    if (most := [line for line in found.lines if line.line][:SHOWN_LINES]) and found.has_shares:
         shares = ", ".join(f"line {line.line} {percent(found.share(line))}" for line in most)
         lines.append(f"             most: {shares}")
     return lines
@@ -80,7 +84,8 @@ def _table(
 
 
 def _sum(found: EnergySummary) -> str:
-    back = f", {energy(found.given_back)} given back" if found.given_back > 0.0 else ""
+    back = energy(found.given_back)
+    back = f", {back} given back" if back != energy(0.0) else ""
     return f"{energy(found.drawn)} drawn{back}; {power(found.mean)} on average"
 
 

@@ -85,7 +85,9 @@ def digits(value: float) -> str:
     if not math.isfinite(value):
         return UNKNOWN
     rounded = float(f"{value:.2e}")
-    size = math.floor(math.log10(abs(rounded))) if rounded else 0
+    if abs(rounded) < 0.5e-5:
+        return "0"
+    size = math.floor(math.log10(abs(rounded)))
     return f"{rounded:.{min(max(2 - size, 0), 5)}f}"
 
 

@@ -1,14 +1,15 @@
 """Opening a project: from a path to cell and program texts."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path, PurePath
 
 from ropsim.cellfile import robot_files
+from ropsim.controller import MODULE_NOT_TRUSTED
 from ropsim.core import Diagnostic, SourceText
 from ropsim.model import Cell
-from ropsim.userfiles import UNREADABLE, inert_code, missing_file, read_project_text, read_text_file
+from ropsim.userfiles import UNREADABLE, code_in, inert_code, missing_file, read_project_text, read_text_file
 from ropsim.workbench.project_diagnostics import NO_PROJECT
 from ropsim.workbench.projects.law_files import has_law_files, with_law_files
 from ropsim.workbench.projects.project import Project, ProjectError, cell_name
@@ -85,7 +86,13 @@ def _read_folder(folder: Path, workspace: Workspace) -> Project:
     tasks = read_task_texts(folder, {}, lambda place: str(folder / place))
     points = read_point_texts(folder, lambda place: str(folder / place))
     project = assembled(folder, cell_file, programs, read, workspace, tasks, points)
-    return replace(project, diagnostics=(*project.diagnostics, *inert_code(folder)))
+    return replace(project, diagnostics=(*project.diagnostics, *_inert(folder, project.diagnostics)))
+
+
+def _inert(folder: Path, found: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """Return the hint on code of a project that is not run; nothing where errors name all of it already."""
+    named = {one.data["file"] for one in found if one.code == MODULE_NOT_TRUSTED.code}
+    return () if named.issuperset(code_in(folder)) else inert_code(folder)
 
 
 def around_programs(
@@ -101,7 +108,7 @@ def around_programs(
     """
     programs = _programs(folder)
     project = assembled(folder, (cell_text, ()), programs, text_of, workspace)
-    return (*project.around_programs, *inert_code(folder))
+    return (*project.around_programs, *_inert(folder, project.around_programs))
 
 
 def no_cell_file(folder: Path) -> Diagnostic:

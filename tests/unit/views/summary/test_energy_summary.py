@@ -161,7 +161,14 @@ def test_the_lasting_current_warms_a_winding_to_its_greatest_rise() -> None:
 
 @pytest.mark.parametrize(
     ("joules", "text"),
-    [(3600.0, "1.00 Wh"), (5.4e6, "1.50 kWh"), (36.0, "0.0100 Wh"), (0.0, "0.00 Wh"), (nan, "–")],
+    [
+        (3600.0, "1.00 Wh"),
+        (5.4e6, "1.50 kWh"),
+        (36.0, "0.0100 Wh"),
+        (0.0, "0 Wh"),
+        (1e-3, "0 Wh"),
+        (nan, "–"),
+    ],
 )
 def test_energies_are_written_in_watt_hours(joules: float, text: str) -> None:
     assert energy(joules).replace("\u00a0", " ") == text
@@ -177,7 +184,7 @@ def test_numbers_have_three_digits() -> None:
         "12300",
         "0.500",
         "-0.0123",
-        "0.00000",
+        "0",
     ]
 
 
@@ -194,3 +201,30 @@ def test_what_if_says_how_much_more_energy_is_drawn() -> None:
     without = Comparison(2.0, (replace(changed, energy=nan),))
     assert "energy" not in comparison_text(without, Style.PLAIN)
     assert "energy" not in comparison_section(without)
+
+
+def test_a_motor_without_losses_is_said_and_one_with_a_winding_is_not() -> None:
+    """Of drives that record no current and no pressure only the mechanical power is known."""
+    rows = [[1.0, 2.0]] * 3
+    found = summarize(recording(rows, [4, 4])).stations[0].energy
+    assert found
+    assert (found.lossless, found.bound) == (
+        ("1", "2"),
+        "mechanical power only, without losses of the motors",
+    )
+    one = summarize(recording(rows, [4, 4], current=[[0.5, nan]] * 3)).stations[0].energy
+    assert one
+    assert (one.lossless, one.bound) == (("2",), "of joint 2 mechanical power only")
+    both = summarize(recording(rows, [4, 4], current=[[0.5, 0.5]] * 3)).stations[0].energy
+    assert both
+    assert (both.lossless, both.bound) == ((), "")
+
+
+def test_next_to_nothing_has_no_shares() -> None:
+    run = recording([[1e-4, 0.0]] * 3, [4, 4])
+    found = summarize(run).stations[0].energy
+    assert found
+    assert isnan(found.share(found.lines[0]))
+    text = terminal_report(summarize(run), Style.PLAIN)
+    assert "most: " not in text
+    assert "0.00000" not in text
