@@ -1,5 +1,6 @@
 """Between two rows no body leaves the straight line by more than its stated deviation."""
 
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -8,6 +9,7 @@ import pytest
 
 import ropsim
 from ropsim.model import WORLD, body_tree
+from ropsim.robots import library
 from ropsim.simulation.testing import CarrierSet, Motion, bends_of, carriers_of
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -52,3 +54,24 @@ def test_frames_between_rows_are_within_the_stated_deviation(example: str, seed:
         assert (tilted <= deviation[row, 1] + 1e-12).all()
     assert WORLD not in names
     assert 1e-6 < float(found.deviation.max()) < 2e-3
+
+
+def test_a_slide_that_turns_evenly_bends_the_way_of_what_it_carries() -> None:
+    """Turn and slide go evenly; the point leaves the straight line by about a quarter of their product."""
+    cell = ropsim.open(EXAMPLES / "first_cell").cell
+    assert cell is not None
+    polar = replace(cell.first, robot=library.load("stanford"))
+    tree = body_tree(replace(cell, stations={"robot": polar}))
+    time = np.arange(9) / RATE
+    rates = {name: np.zeros(one.n) for name, one in tree.mechanisms.items()}
+    rates["robot"][1:3] = 2.0, 50.0
+    start = {name: np.zeros(one.n) for name, one in tree.mechanisms.items()}
+    fine = {name: start[name] + np.outer(time, rates[name]) for name in rates}
+    rows = {name: q[::8] for name, q in fine.items()}
+    wanted = CarrierSet(("link3",), np.zeros((1, 3)), ())
+    found = carriers_of(tree, wanted, Motion(time[::8], rows, bends_of(time[::8], rows)))
+    true = carriers_of(tree, wanted, Motion(time, fine, bends_of(time, fine))).frames
+    straight = (found.frames[0, 0, 9:] + found.frames[0, 1, 9:]) / 2.0
+    off = float(np.linalg.norm(straight - true[0, 4, 9:]))
+    assert off > 1e-3
+    assert off <= float(found.deviation[0, 0, 0]) < 3.0 * off

@@ -8,7 +8,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from ropsim import robots
-from ropsim.controller import LawInput, LawTraits
+from ropsim.controller import CompiledLaw, LawInput, LawTraits, PythonLaw
 from ropsim.dynamics import inverse_dynamics
 from ropsim.flow import Recording
 from ropsim.kinematics import jacobian
@@ -42,11 +42,11 @@ LOOSE = springs(np.zeros(2), np.zeros(2))
 def ran(
     cell: Cell,
     *lines: str,
-    law: object = HELD,
+    law: CompiledLaw | PythonLaw | None = HELD,
     fidelity: Fidelity = Fidelity.DYNAMIC,
     step: float | None = None,
 ) -> Recording:
-    options = RunOptions(fidelity, laws={"robot": law} if law else {}, longest_step=step, record_hz=1000)  # type: ignore[dict-item]
+    options = RunOptions(fidelity, laws={"robot": law} if law else {}, longest_step=step, record_hz=1000)
     return run(cell, {"robot": code_of(cell, *lines)}, options)
 
 

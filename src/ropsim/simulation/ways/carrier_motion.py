@@ -153,12 +153,7 @@ def carriers_of(tree: BodyTree, wanted: CarrierSet, motion: Motion) -> Carriers:
     moved = [(k, way) for k, way in enumerate(ways)]
     for one, other in wanted.seen:
         above = {*ways[one]} if one >= 0 else set()
-        moved.append(
-            (
-                other,
-                [name for name in (*ways[other], *sorted(above)) if (name in above) != (name in ways[other])],
-            )
-        )
+        moved.append((other, sorted({*ways[other]} ^ above)))
     return Carriers(frames, links.deviations(moved, frames))
 
 
